@@ -1,5 +1,6 @@
 #include "blueprint/blueprint.h"
 
+#include "base/format.h"
 #include "env/succession.h"
 #include "render/renderer.h"
 
@@ -8,7 +9,20 @@ namespace mimo::blueprint {
 // Nothing of an edit may fail once it takes the draft's place.
 static_assert(std::is_nothrow_move_assignable_v<Draft>);
 
+namespace {
+
+// Built-in scenes are made for infants, others may be of physics alone. Tasks refuse to be without.
+void tell_of_nobody(const Draft& draft, const LogSink& log) {
+  if (draft.scene.built_in().empty() || !draft.agents.all().empty()) return;
+  log(LogLevel::kWarning, format("scene \"{}\" has no agents, so nobody senses or acts in it; "
+                                 "mimo_scene_add_agents adds its infants",
+                                 draft.scene.built_in()));
+}
+
+}  // namespace
+
 env::Kit compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log) {
+  tell_of_nobody(draft, log ? log : scene_log);
   engine::ModelPtr model = scene::compile(draft.scene.compose(), scene_log);
   draft.scene.check_places(model, scene_log);
   return around(draft, std::move(model), options, log);

@@ -52,6 +52,8 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       random_(identity.seed),
       number_(identity.number) {
   adopt_scene_choices();
+  require(!agents.empty() || options_.task == "none",
+          "task \"{}\" is for agents, and the scene has none; mimo_scene_add_agents adds its infants", options_.task);
   body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker(identity);
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;

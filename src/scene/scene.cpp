@@ -220,7 +220,7 @@ Scene::Scene(const Source& source)
       limits_(source.limits),
       log_(source.log),
       document_(settled(load(models_, source))),
-      built_in_(!source.name.empty()) {}
+      built_in_(source.name) {}
 
 void Scene::set_room(const std::string& room) {
   require_known("room", kRooms, room);
@@ -287,7 +287,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   }
   recipe.apply(root, prefix, pose != nullptr);
   std::vector<std::string> to_check = to_check_;
-  if (pose != nullptr || !built_in_) to_check.push_back(prefix);
+  if (pose != nullptr || built_in_.empty()) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
   if (no_place && numbers_of(root, (prefix + names::kRootPose).c_str()).empty()) unplaced = prefix;
   std::map<std::string, Place> anchored = anchored_;

@@ -83,6 +83,8 @@ class Scene {
   void grow(const std::string& prefix, const growth::Growth& growth);
   // Names of the infants that the scene is made for, "anna" and "ben"; empty where it names none.
   std::vector<std::string> infants() const;
+  // The built-in scene that it started from; empty for others.
+  const std::string& built_in() const { return built_in_; }
   // What it gives its next infant by itself.
   UsualInfant usual_infant() const;
   // The room's place for it; the origin in a room that names none, near which it is put. Nothing where all places are
@@ -121,7 +123,7 @@ class Scene {
   Limits limits_;
   LogSink log_;
   Document document_;
-  bool built_in_;
+  std::string built_in_;                         // name of the built-in scene that it started from; empty for others
   std::optional<std::string> unplaced_;          // prefix of the infant for whom nobody named a place
   std::map<std::string, growth::Growth> grown_;  // by prefix: what of another age is to be made of infants
   std::map<std::string, Place> anchored_;        // by prefix: infants whose roots follow from where their soles are

@@ -56,8 +56,8 @@ namespace Mimo
         {
             BatchConfigStruct config;
             MimoException.Check(Native.mimo_batch_config_init(out config, Structs.Size<BatchConfigStruct>()));
-            config.worlds = checked((uint)worlds);
-            config.threads = checked((uint)threads);
+            config.worlds = Given.Count(worlds, "worlds");
+            config.threads = Given.Count(threads, "threads");
             config.autoreset = (int)autoreset;
             config.restart_failed = restartFailed ? 1u : 0u;
             using (var ages = new PinnedGrowths(cohort))
@@ -101,7 +101,7 @@ namespace Mimo
             return options.Use((env, log) =>
             {
                 BatchHandle made;
-                var status = Native.mimo_batch_create(scene.Handle, ref env, ref config, out made);
+                var status = Native.mimo_batch_create(Given.Some(scene, "scene", "a MimoScene").Handle, ref env, ref config, out made);
                 made.Log = log;
                 Logging.CheckTold(status, log);
                 made.Task = scene.Handle.Task?.Share();
@@ -114,20 +114,19 @@ namespace Mimo
         public Env World(int world)
         {
             IntPtr env;
-            MimoException.Check(Native.mimo_batch_world(Handle, (UIntPtr)checked((uint)world), out env));
+            MimoException.Check(Native.mimo_batch_world(Handle, Given.Index(world, "world"), out env));
             return new Env(new EnvHandle(env, Handle), Layout);
         }
 
         /// <summary>Copies a field of one world's last observation into an array of its element type.</summary>
         public void Read<T>(int world, Field field, T[] into) where T : struct
         {
-            field.CopyTo(into, Blocks, StartOf(world));
+            Given.Some(field, "field", "one of Layout.Fields").CopyTo(into, Blocks, StartOf(world));
         }
 
         private int StartOf(int world)
         {
-            if (world < 0 || world >= Worlds) throw new ArgumentOutOfRangeException(nameof(world), world, "there are " + Worlds);
-            return world * Layout.BlockBytes;
+            return Given.Below(world, Worlds, "world") * Layout.BlockBytes;
         }
 
         /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers. With ages, one
@@ -135,9 +134,9 @@ namespace Mimo
         public void Reset(ulong[] seeds = null, bool[] mask = null, Growth?[] ages = null)
         {
             if (seeds != null && seeds.Length != Worlds)
-                throw new ArgumentException(seeds.Length + " seeds, expected " + Worlds, nameof(seeds));
+                throw Given.Misfit(seeds, nameof(seeds), "expected one for each of " + Worlds + " worlds");
             if (ages != null && ages.Length != Worlds)
-                throw new ArgumentException(ages.Length + " ages, expected " + Worlds, nameof(ages));
+                throw Given.Misfit(ages, nameof(ages), "expected one for each of " + Worlds + " worlds");
             using (Pinned given = new Pinned(seeds), chosen = new Pinned(BytesOf(mask)))
             using (var growths = new PinnedGrowths(ages))
             {
@@ -157,7 +156,7 @@ namespace Mimo
         {
             int status;
             IntPtr message;
-            MimoException.Check(Native.mimo_batch_world_error(Handle, (UIntPtr)checked((uint)world), out status, out message));
+            MimoException.Check(Native.mimo_batch_world_error(Handle, Given.Index(world, "world"), out status, out message));
             return Utf8.Of(message);
         }
 
@@ -165,29 +164,29 @@ namespace Mimo
         public void Observe(bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_observe(Handle, chosen, CountOf(chosen), Blocks, (UIntPtr)Blocks.Length));
+            MimoException.Check(Native.mimo_batch_observe(Handle, chosen, Given.LengthOrNone(chosen), Blocks, (UIntPtr)Blocks.Length));
         }
 
         /// <summary>Reads a quantity of many ids in all worlds: worlds x Env.Width.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
-            MimoException.Check(Native.mimo_batch_get(Handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
-                (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_batch_get(Handle, (int)quantity, ids, Given.LengthOrNone(ids), null, UIntPtr.Zero, values,
+                Given.LengthOf(values, "values")));
         }
 
         /// <summary>The same in single precision, for engines.</summary>
         public void Get(Quantity quantity, int[] ids, float[] values)
         {
-            MimoException.Check(Native.mimo_batch_get_float(Handle, (int)quantity, ids, Env.LengthOf(ids), null, UIntPtr.Zero, values,
-                (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_batch_get_float(Handle, (int)quantity, ids, Given.LengthOrNone(ids), null, UIntPtr.Zero, values,
+                Given.LengthOf(values, "values")));
         }
 
         /// <summary>Writes a quantity of many ids: worlds x Env.Width.</summary>
         public void Set(Quantity quantity, int[] ids, double[] values, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
-            MimoException.Check(Native.mimo_batch_set(Handle, (int)quantity, ids, Env.LengthOf(ids), chosen, CountOf(chosen), values,
-                (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_batch_set(Handle, (int)quantity, ids, Given.LengthOrNone(ids), chosen, Given.LengthOrNone(chosen), values,
+                Given.LengthOf(values, "values")));
         }
 
         /// <summary>Gives an infant another face.</summary>
@@ -204,7 +203,7 @@ namespace Mimo
             UIntPtr bytes;
             MimoException.Check(Native.mimo_batch_state_size(Handle, out bytes));
             var states = new byte[Worlds * (int)bytes];
-            MimoException.Check(Native.mimo_batch_state_save(Handle, null, UIntPtr.Zero, states, (UIntPtr)states.Length));
+            MimoException.Check(Native.mimo_batch_state_save(Handle, null, UIntPtr.Zero, states, Given.LengthOf(states, "states")));
             return states;
         }
 
@@ -214,13 +213,10 @@ namespace Mimo
         {
             var chosen = BytesOf(mask);
             return LoadReport.Of((ref LoadReportStruct report) =>
-                Native.mimo_batch_state_load(Handle, chosen, CountOf(chosen), states, (UIntPtr)states.Length, ref report));
+                Native.mimo_batch_state_load(Handle, chosen, Given.LengthOrNone(chosen), states, Given.LengthOf(states, "states"), ref report));
         }
 
         private static byte[] BytesOf(bool[] mask) { return mask?.Select(chosen => (byte)(chosen ? 1 : 0)).ToArray(); }
-
-        /// <summary>Of a mask; the library refuses another length than there are worlds.</summary>
-        private static UIntPtr CountOf(byte[] mask) { return (UIntPtr)(mask == null ? 0 : mask.Length); }
 
         /// <summary>Frees the batch and its worlds.</summary>
         public void Dispose() { owned.Dispose(); }

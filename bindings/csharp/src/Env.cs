@@ -53,7 +53,7 @@ namespace Mimo
             return options.Use((config, log) =>
             {
                 EnvHandle made;
-                var status = Native.mimo_env_create(scene.Handle, ref config, out made);
+                var status = Native.mimo_env_create(Given.Some(scene, "scene", "a MimoScene").Handle, ref config, out made);
                 made.Log = log;
                 Logging.CheckTold(status, log);
                 made.Task = scene.Handle.Task?.Share();
@@ -62,15 +62,17 @@ namespace Mimo
         }
 
         /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
-        public void Read<T>(Field field, T[] into) where T : struct { field.CopyTo(into, Block, 0); }
+        public void Read<T>(Field field, T[] into) where T : struct { Given.Some(field, "field", "one of Layout.Fields").CopyTo(into, Block, 0); }
 
         /// <summary>Copies a colour picture into RGBA bytes as engines want them: width x height x 4, opaque. bottomUp: the
         /// first row is the lowest, as in textures of Unity and OpenGL; otherwise it is the top.</summary>
         public void ReadRgba(Field picture, byte[] rgba, bool bottomUp = false)
         {
+            if (Given.Some(picture, "picture", "one of Layout.Fields").Type != FieldType.U8)
+                throw Given.Refusal("picture is " + picture.Name + ", expected a colour picture");
             int height = picture.Shape[0], width = picture.Shape[1];
-            if (picture.Type != FieldType.U8 || rgba.Length < height * width * 4)
-                throw new ArgumentException("needs " + height * width * 4 + " bytes", nameof(rgba));
+            if (rgba == null || rgba.Length < height * width * 4)
+                throw Given.Misfit(rgba, nameof(rgba), "but " + picture.Name + " needs 4 bytes for each of " + width + " x " + height + " pixels");
             for (var row = 0; row < height; ++row)
             {
                 var from = picture.Offset + row * width * 3;
@@ -102,7 +104,7 @@ namespace Mimo
         /// <summary>Goes one step on; gives what the first agent got. Null leaves the controls as they are.</summary>
         public Step Step(float[] action)
         {
-            MimoException.Check(Native.mimo_env_step(Handle, action, (UIntPtr)(action == null ? 0 : action.Length), Block,
+            MimoException.Check(Native.mimo_env_step(Handle, action, Given.LengthOrNone(action), Block,
                 (UIntPtr)Block.Length, ref places));
             return Layout.Agents > 0 ? StepOf(0) : new Step();
         }
@@ -119,7 +121,7 @@ namespace Mimo
         internal EnvHandle Handle => Ending.Pass(owned);
 
         /// <summary>What an agent got in the last step.</summary>
-        public Step StepOf(int agent) { return results.Of(agent); }
+        public Step StepOf(int agent) { return results.Of(Given.Below(agent, Layout.Agents, "agent")); }
 
         /// <summary>Observes the current state, without changing the trajectory.</summary>
         public void Observe()

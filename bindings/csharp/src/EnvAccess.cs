@@ -242,13 +242,13 @@ namespace Mimo
         /// kind.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
-            MimoException.Check(Native.mimo_env_get(Handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_get(Handle, (int)quantity, ids, Given.LengthOrNone(ids), values, Given.LengthOf(values, "values")));
         }
 
         /// <summary>The same in single precision, for engines.</summary>
         public void Get(Quantity quantity, int[] ids, float[] values)
         {
-            MimoException.Check(Native.mimo_env_get_float(Handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_get_float(Handle, (int)quantity, ids, Given.LengthOrNone(ids), values, Given.LengthOf(values, "values")));
         }
 
         /// <summary>Reads a quantity of all of its kind.</summary>
@@ -269,18 +269,16 @@ namespace Mimo
         /// <summary>Writes a quantity of many at once. Ids null: all of its kind.</summary>
         public void Set(Quantity quantity, int[] ids, params double[] values)
         {
-            MimoException.Check(Native.mimo_env_set(Handle, (int)quantity, ids, LengthOf(ids), values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_set(Handle, (int)quantity, ids, Given.LengthOrNone(ids), values, Given.LengthOf(values, "values")));
         }
 
         /// <summary>How many values a quantity of these has together. Ids null: all of its kind.</summary>
         public int Width(Quantity quantity, int[] ids)
         {
             UIntPtr count;
-            MimoException.Check(Native.mimo_env_width(Handle, (int)quantity, ids, LengthOf(ids), out count));
+            MimoException.Check(Native.mimo_env_width(Handle, (int)quantity, ids, Given.LengthOrNone(ids), out count));
             return (int)count;
         }
-
-        internal static UIntPtr LengthOf(int[] ids) { return ids == null ? UIntPtr.Zero : (UIntPtr)ids.Length; }
 
         /// <summary>Recomputes poses from the current joint positions. The trajectory stays as it was.</summary>
         public void Update() { MimoException.Check(Native.mimo_env_update(Handle)); }
@@ -336,7 +334,7 @@ namespace Mimo
         /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
         public void Random(double[] values)
         {
-            MimoException.Check(Native.mimo_env_random(Handle, values, (UIntPtr)values.Length));
+            MimoException.Check(Native.mimo_env_random(Handle, values, Given.LengthOf(values, "values")));
         }
     }
 }

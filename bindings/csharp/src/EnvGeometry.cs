@@ -108,13 +108,20 @@ namespace Mimo
         /// <summary>Converts points in place, three numbers each: of touch sensors, for example.</summary>
         public static void ConvertPoints(Axes axes, float[] points)
         {
-            MimoException.Check(Native.mimo_convert_points((int)axes, points, (UIntPtr)(points.Length / 3)));
+            MimoException.Check(Native.mimo_convert_points((int)axes, points, Triples(points, "points")));
+        }
+
+        private static UIntPtr Triples(float[] numbers, string name)
+        {
+            if (Given.Some(numbers, name, "an array").Length % 3 != 0)
+                throw Given.Misfit(numbers, name, "expected three numbers for each");
+            return (UIntPtr)(numbers.Length / 3);
         }
 
         /// <summary>Converts directions in place; their lengths stay.</summary>
         public static void ConvertDirections(Axes axes, float[] directions)
         {
-            MimoException.Check(Native.mimo_convert_directions((int)axes, directions, (UIntPtr)(directions.Length / 3)));
+            MimoException.Check(Native.mimo_convert_directions((int)axes, directions, Triples(directions, "directions")));
         }
     }
 
@@ -134,7 +141,7 @@ namespace Mimo
             MeshStruct raw;
             MimoException.Check(Native.mimo_mesh_init(out raw, Structs.Size<MeshStruct>()));
             raw.axes = (int)axes;
-            raw.segments = (uint)segments;
+            raw.segments = Given.Count(segments, "segments");
             raw.plane = plane;
             MimoException.Check(Native.mimo_env_mesh(Handle, geom, ref raw));
             int vertices = (int)raw.vertex_count, corners = (int)raw.index_count;
@@ -218,7 +225,7 @@ namespace Mimo
         /// the frame. Allocates nothing.</summary>
         public void Poses(Kind kind, Axes axes, float[] poses)
         {
-            MimoException.Check(Native.mimo_env_poses(Handle, (int)kind, (int)axes, poses, (UIntPtr)poses.Length));
+            MimoException.Check(Native.mimo_env_poses(Handle, (int)kind, (int)axes, poses, Given.LengthOf(poses, "poses")));
         }
     }
 }

@@ -49,7 +49,7 @@ namespace Mimo
         public Gaze Gaze(int agent = 0)
         {
             var raw = new GazeStruct { struct_size = (uint)Structs.Size<GazeStruct>() };
-            MimoException.Check(Native.mimo_env_gaze(Handle, (UIntPtr)agent, ref raw));
+            MimoException.Check(Native.mimo_env_gaze(Handle, Given.Index(agent, "agent"), ref raw));
             return new Gaze
             {
                 LeftPosition = raw.left_position, LeftDirection = raw.left_direction,
@@ -62,10 +62,10 @@ namespace Mimo
         public LookAngles LookAngles(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             UIntPtr count;
-            MimoException.Check(Native.mimo_env_look_angles(Handle, (UIntPtr)agent, ref point, (int)how, null, null, UIntPtr.Zero,
+            MimoException.Check(Native.mimo_env_look_angles(Handle, Given.Index(agent, "agent"), ref point, (int)how, null, null, UIntPtr.Zero,
                 out count, null));
             var look = new LookAngles { Joints = new int[(int)count], Angles = new double[(int)count], Errors = new double[2] };
-            MimoException.Check(Native.mimo_env_look_angles(Handle, (UIntPtr)agent, ref point, (int)how, look.Joints,
+            MimoException.Check(Native.mimo_env_look_angles(Handle, Given.Index(agent, "agent"), ref point, (int)how, look.Joints,
                 look.Angles, count, out count, look.Errors));
             return look;
         }
@@ -75,7 +75,7 @@ namespace Mimo
         public double[] LookAt(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             var errors = new double[2];
-            MimoException.Check(Native.mimo_env_look_at(Handle, (UIntPtr)agent, ref point, (int)how, errors));
+            MimoException.Check(Native.mimo_env_look_at(Handle, Given.Index(agent, "agent"), ref point, (int)how, errors));
             return errors;
         }
 
@@ -94,7 +94,7 @@ namespace Mimo
                     depth = distance.Pointer, depth_count = distance.Length, segmentation = geoms.Pointer,
                     segmentation_count = geoms.Length
                 };
-                options.Use(config => Native.mimo_env_render(Handle, ref config, ref picture));
+                Given.Some(options, "options", "PictureOptions").Use(config => Native.mimo_env_render(Handle, ref config, ref picture));
             }
         }
 
@@ -103,8 +103,8 @@ namespace Mimo
         /// the camera, and its pixels mean nothing.</summary>
         public Vector3d[] Project(PictureOptions options, params Vector3d[] points)
         {
-            var pixels = new Vector3d[points.Length];
-            options.Use(config => Native.mimo_env_project(Handle, ref config, points, (UIntPtr)points.Length, pixels));
+            var pixels = new Vector3d[Given.Some(points, "points", "an array").Length];
+            Given.Some(options, "options", "PictureOptions").Use(config => Native.mimo_env_project(Handle, ref config, points, Given.LengthOf(points, "points"), pixels));
             return pixels;
         }
     }

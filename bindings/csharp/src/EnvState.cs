@@ -9,7 +9,7 @@ namespace Mimo
         public byte[] Save()
         {
             var state = new byte[StateBytes];
-            MimoException.Check(Native.mimo_env_state_save(Handle, state, (UIntPtr)state.Length));
+            MimoException.Check(Native.mimo_env_state_save(Handle, state, Given.LengthOf(state, "state")));
             return state;
         }
 
@@ -28,7 +28,7 @@ namespace Mimo
         public LoadReport Load(byte[] state)
         {
             return LoadReport.Of((ref LoadReportStruct report) =>
-                Native.mimo_env_state_load(Handle, state, (UIntPtr)state.Length, ref report));
+                Native.mimo_env_state_load(Handle, state, Given.LengthOf(state, "state"), ref report));
         }
 
         /// <summary>Another world of the same scene and options, in the same state. The model is shared.</summary>

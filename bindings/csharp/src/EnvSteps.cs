@@ -57,7 +57,7 @@ namespace Mimo
         public AgentInfo Agent(int agent = 0)
         {
             var raw = new AgentInfoStruct { struct_size = (uint)Structs.Size<AgentInfoStruct>() };
-            MimoException.Check(Native.mimo_env_agent(Handle, (UIntPtr)checked((uint)agent), ref raw));
+            MimoException.Check(Native.mimo_env_agent(Handle, Given.Index(agent, "agent"), ref raw));
             return new AgentInfo
             {
                 Name = Utf8.Of(raw.name), ActionOffset = (int)raw.action_offset, ActionCount = (int)raw.action_count,
@@ -90,13 +90,14 @@ namespace Mimo
         /// <summary>Bare physics: so many physics steps with the controls as they are, without senses or task.</summary>
         public void StepPhysics(int count = 1)
         {
-            MimoException.Check(Native.mimo_env_physics_step(Handle, (UIntPtr)checked((uint)count)));
+            MimoException.Check(Native.mimo_env_physics_step(Handle, Given.Index(count, "count")));
         }
 
         /// <summary>One step of a movement that is known: FrameSkip x positions of all joints, at the end of each physics step.
         /// The senses answer; gives FrameSkip x the forces that it takes, one for each degree of freedom, N or Nm.</summary>
         public double[] Follow(double[] positions)
         {
+            Given.Some(positions, "positions", "an array");
             var forces = new double[FrameSkip * Width(Quantity.JointVelocity, null)];
             var from = GCHandle.Alloc(positions, GCHandleType.Pinned);
             var to = GCHandle.Alloc(forces, GCHandleType.Pinned);
@@ -122,7 +123,7 @@ namespace Mimo
         /// any it ends. The rate is Field.SampleRate of the ears.</summary>
         public void Play(string body, float[] samples, double rate)
         {
-            MimoException.Check(Native.mimo_env_play(Handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+            MimoException.Check(Native.mimo_env_play(Handle, Utf8.Bytes(body), samples, Given.LengthOf(samples, "samples"), rate));
         }
 
         /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvOptions.Timing.</summary>

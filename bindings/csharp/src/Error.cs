@@ -1,6 +1,8 @@
 using System;
+using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text;
+using System.Text.RegularExpressions;
 
 namespace Mimo
 {
@@ -48,13 +50,26 @@ namespace Mimo
         /// <summary>"MIMO_E_NOT_FOUND".</summary>
         public string StatusName { get; }
 
-        internal MimoException(int status) : this((Status)status, Utf8.Of(Native.mimo_status_name(status)), Utf8.Of(Native.mimo_last_error())) { }
+        internal MimoException(int status)
+            : this((Status)status, Utf8.Of(Native.mimo_status_name(status)), Named(Utf8.Of(Native.mimo_last_error()))) { }
 
         internal MimoException(Status status, string name, string message) : base(message)
         {
             Status = status;
             StatusName = name;
         }
+
+        private static readonly Regex function = new Regex(@"\bmimo_(scene|env|batch)_(?!config)(\w+)");
+
+        /// <summary>A message of the library's, with functions of C as they are called here: "MimoScene.AddAgents".</summary>
+        internal static string Named(string message)
+        {
+            return function.Replace(message, found =>
+                (found.Groups[1].Value == "scene" ? "MimoScene" : Capital(found.Groups[1].Value)) + "." +
+                string.Concat(found.Groups[2].Value.Split('_').Select(Capital)));
+        }
+
+        private static string Capital(string word) { return word.Substring(0, 1).ToUpperInvariant() + word.Substring(1); }
 
         /// <summary>To be called on the thread of the call, at once: the message is the thread's last.</summary>
         internal static void Check(int status)

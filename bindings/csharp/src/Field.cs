@@ -127,7 +127,7 @@ namespace Mimo
         public string Label(int element)
         {
             IntPtr label;
-            MimoException.Check(Native.mimo_layout_label(layout, index, (UIntPtr)checked((uint)element), out label));
+            MimoException.Check(Native.mimo_layout_label(layout, index, Given.Index(element, "element"), out label));
             return Utf8.Of(label);
         }
 
@@ -162,8 +162,9 @@ namespace Mimo
         /// <summary>Copies its elements out of a world's block that starts at a place of an array.</summary>
         internal void CopyTo<T>(T[] into, byte[] blocks, int start) where T : struct
         {
-            if (Marshal.SizeOf(typeof(T)) != ElementSize || Buffer.ByteLength(into) < Bytes)
-                throw new ArgumentException(Name + " has " + Bytes + " bytes of type " + Type, nameof(into));
+            var count = Bytes / ElementSize;
+            if (into == null || Marshal.SizeOf(typeof(T)) != ElementSize || into.Length < count)
+                throw Given.Misfit(into, nameof(into), "but " + Name + " has " + count + " elements of type " + Type);
             Buffer.BlockCopy(blocks, start + Offset, into, 0, Bytes);
         }
 

@@ -35,8 +35,8 @@ namespace Mimo
         public InfantView(Env env, IDrawer drawer, Axes axes = Axes.Unity, int segments = 24)
         {
             if (axes == Axes.Mimo) throw new ArgumentException("axes is Mimo, expected an engine's", nameof(axes));
-            this.env = env;
-            this.drawer = drawer;
+            this.env = Given.Some(env, "env", "an Env");
+            this.drawer = Given.Some(drawer, "drawer", "an IDrawer");
             this.axes = axes;
             this.segments = segments;
             var count = env.Count(Kind.Geom);

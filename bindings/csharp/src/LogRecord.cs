@@ -51,7 +51,7 @@ namespace Mimo
         {
             return new LogRecord
             {
-                Level = (MessageLevel)raw.level, Code = (Warning)raw.code, Text = Utf8.Of(raw.text),
+                Level = (MessageLevel)raw.level, Code = (Warning)raw.code, Text = MimoException.Named(Utf8.Of(raw.text)),
                 World = raw.in_world != 0 ? (int)raw.world : (int?)null, Time = raw.time
             };
         }

@@ -20,13 +20,22 @@ namespace Mimo
         public static MimoScene Empty(SceneOptions options = null) { return new MimoScene(options); }
 
         /// <summary>A built-in scene, one of Scenes.Names: "reach", "benchmark", ...</summary>
-        public static MimoScene Builtin(string name, SceneOptions options = null) { return new MimoScene(options, name: name); }
+        public static MimoScene Builtin(string name, SceneOptions options = null)
+        {
+            return new MimoScene(options, name: Given.Text(name, "name", "that of a built-in scene, one of Scenes.Names"));
+        }
 
         /// <summary>An MJCF file.</summary>
-        public static MimoScene FromFile(string path, SceneOptions options = null) { return new MimoScene(options, file: path); }
+        public static MimoScene FromFile(string path, SceneOptions options = null)
+        {
+            return new MimoScene(options, file: Given.Text(path, "path", "that of an MJCF file"));
+        }
 
         /// <summary>MJCF text.</summary>
-        public static MimoScene FromXml(string xml, SceneOptions options = null) { return new MimoScene(options, xml: xml); }
+        public static MimoScene FromXml(string xml, SceneOptions options = null)
+        {
+            return new MimoScene(options, xml: Given.Text(xml, "xml", "MJCF text"));
+        }
 
         /// <summary>What the scene gives its infant by itself.</summary>
         public AgentConfig DefaultAgent()
@@ -114,7 +123,7 @@ namespace Mimo
         /// <summary>How many bodies can play at once, 4 unless this is called, and for how long sounds can wait at each, 4 s.</summary>
         public void SetSources(int count, double seconds)
         {
-            MimoException.Check(Native.mimo_scene_set_sources(Handle, (UIntPtr)checked((uint)count), seconds));
+            MimoException.Check(Native.mimo_scene_set_sources(Handle, Given.Index(count, "count"), seconds));
         }
 
         /// <summary>From where a body plays and whereto, in its frame: 0 alike to all sides, 0.5 a cardioid, 1 a figure of eight.</summary>
@@ -145,6 +154,7 @@ namespace Mimo
         /// <summary>Adds a rigid object.</summary>
         public void AddObject(ObjectOptions options)
         {
+            Given.Some(options, "options", "ObjectOptions");
             using (var name = new PinnedText(options.Name))
             {
                 ObjectConfigStruct config;
@@ -164,6 +174,7 @@ namespace Mimo
         /// <summary>Has a camera observed; its fields come after those of all infants.</summary>
         public void AddCamera(CameraOptions options)
         {
+            Given.Some(options, "options", "CameraOptions");
             using (PinnedText name = new PinnedText(options.Name), body = new PinnedText(options.Body))
             {
                 CameraConfigStruct config;
@@ -197,7 +208,7 @@ namespace Mimo
                 config.name = parts.Text(name);
                 config.quantity = (int)quantity;
                 config.elements = parts.Keep(elements?.Select(parts.Text).ToArray());
-                config.element_count = (UIntPtr)(elements == null ? 0 : elements.Length);
+                config.element_count = Given.LengthOrNone(elements);
                 config.relative_to = parts.Text(relativeTo);
                 MimoException.Check(Native.mimo_scene_add_field(Handle, ref config));
             }
@@ -206,7 +217,7 @@ namespace Mimo
         /// <summary>Has an agent's proprioception read this hinge or slide; the first call takes away all others.</summary>
         public void ReadJoint(string joint, int agent = 0)
         {
-            MimoException.Check(Native.mimo_scene_read_joint(Handle, (UIntPtr)agent, Utf8.Bytes(joint)));
+            MimoException.Check(Native.mimo_scene_read_joint(Handle, Given.Index(agent, "agent"), Utf8.Bytes(joint)));
         }
 
         /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
@@ -217,7 +228,7 @@ namespace Mimo
         {
             var limits = Limits(gain, noise, delay, signalNoise);
             limits.blur = blur;
-            MimoException.Check(Native.mimo_scene_limit_sense(Handle, (UIntPtr)agent, Utf8.Bytes(path), ref limits));
+            MimoException.Check(Native.mimo_scene_limit_sense(Handle, Given.Index(agent, "agent"), Utf8.Bytes(path), ref limits));
         }
 
         /// <summary>Limits the way of an agent's actions to a motor ("act:left_elbow"), to those of a part of its body
@@ -228,7 +239,7 @@ namespace Mimo
             double signalNoise = 0)
         {
             var limits = Limits(gain, noise, delay, signalNoise);
-            MimoException.Check(Native.mimo_scene_limit_motor(Handle, (UIntPtr)agent, Utf8.Bytes(path), ref limits));
+            MimoException.Check(Native.mimo_scene_limit_motor(Handle, Given.Index(agent, "agent"), Utf8.Bytes(path), ref limits));
         }
 
         /// <summary>Gives an agent such eyes and nerves, for worlds made from now on; null: as its growth says. Limits take
@@ -237,15 +248,15 @@ namespace Mimo
         {
             var given = maturity.GetValueOrDefault();
             MimoException.Check(maturity == null
-                ? Native.mimo_scene_set_maturity(Handle, (UIntPtr)agent, IntPtr.Zero)
-                : Native.mimo_scene_set_maturity(Handle, (UIntPtr)agent, ref given));
+                ? Native.mimo_scene_set_maturity(Handle, Given.Index(agent, "agent"), IntPtr.Zero)
+                : Native.mimo_scene_set_maturity(Handle, Given.Index(agent, "agent"), ref given));
         }
 
         /// <summary>Sets how late an agent feels a part of its body ("left_hand"), by touch and by its joints, seconds; a body
         /// of null: all of it. It counts instead of what follows from its age.</summary>
         public void SetSensoryDelay(string body, double seconds, int agent = 0)
         {
-            MimoException.Check(Native.mimo_scene_set_sensory_delay(Handle, (UIntPtr)agent, Utf8.Bytes(body), seconds));
+            MimoException.Check(Native.mimo_scene_set_sensory_delay(Handle, Given.Index(agent, "agent"), Utf8.Bytes(body), seconds));
         }
 
         private static LimitsStruct Limits(double gain, double noise, double delay, double signalNoise)
@@ -263,7 +274,7 @@ namespace Mimo
         /// null: everywhere.</summary>
         public void SetTouch(int agent, string body, double spacing)
         {
-            MimoException.Check(Native.mimo_scene_set_touch(Handle, (UIntPtr)agent, Utf8.Bytes(body), spacing));
+            MimoException.Check(Native.mimo_scene_set_touch(Handle, Given.Index(agent, "agent"), Utf8.Bytes(body), spacing));
         }
 
         /// <summary>Sets how warm the room is, -40 to 80 degrees Celsius: its air, and all that has no temperature of its

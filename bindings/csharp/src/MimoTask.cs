@@ -67,16 +67,18 @@ namespace Mimo
 
         /// <summary>Copies a field (Layout.Find) out of the observation of this step. Fields of tasks are still those of the
         /// step before.</summary>
-        public void Read(Field field, float[] into) { Marshal.Copy(At(field, FieldType.F32, into.Length, 4), into, 0, field.Bytes / 4); }
+        public void Read(Field field, float[] into) { Marshal.Copy(At(field, FieldType.F32, into, 4), into, 0, field.Bytes / 4); }
 
         /// <summary>The same for a colour picture.</summary>
-        public void Read(Field field, byte[] into) { Marshal.Copy(At(field, FieldType.U8, into.Length, 1), into, 0, field.Bytes); }
+        public void Read(Field field, byte[] into) { Marshal.Copy(At(field, FieldType.U8, into, 1), into, 0, field.Bytes); }
 
-        private IntPtr At(Field field, FieldType type, int length, int size)
+        private IntPtr At(Field field, FieldType type, Array into, int size)
         {
             if (!IsObserved) throw new InvalidOperationException("there is no observation of this step");
-            if (field.Type != type || length * size < field.Bytes || field.Offset + field.Bytes > blockBytes)
-                throw new ArgumentException(field.Name + " has " + field.Bytes + " bytes of type " + field.Type);
+            if (Given.Some(field, "field", "one of Layout.Fields").Offset + field.Bytes > blockBytes)
+                throw Given.Refusal(field.Name + " is a field of another world");
+            if (into == null || field.Type != type || into.Length * size < field.Bytes)
+                throw Given.Misfit(into, nameof(into), "but " + field.Name + " has " + field.Bytes / size + " elements of type " + field.Type);
             return IntPtr.Add(block, field.Offset);
         }
 

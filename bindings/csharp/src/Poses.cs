@@ -64,7 +64,7 @@ namespace Mimo
         /// <summary>For all bodies of a world, its fixed world body included.</summary>
         public PoseReader(Env env)
         {
-            this.env = env;
+            this.env = Given.Some(env, "env", "an Env");
             Bodies = new int[env.Count(Kind.Body)];
             for (var i = 0; i < Bodies.Length; ++i) Bodies[i] = i;
             poses = new float[7 * Bodies.Length];

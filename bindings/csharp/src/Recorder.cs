@@ -45,7 +45,7 @@ namespace Mimo
                 config.configuration = configuration.Pointer;
                 config.seed = options.Seed;
                 config.hdf5 = hdf5.Pointer;
-                MimoException.Check(Native.mimo_recorder_open(env.Handle, Utf8.Bytes(path), ref config, out owned));
+                MimoException.Check(Native.mimo_recorder_open(Given.Some(env, "env", "an Env").Handle, Utf8.Bytes(path), ref config, out owned));
                 owned.World = env.Handle;
                 Ending.Watch(owned);
             }

@@ -95,8 +95,8 @@ namespace Mimo
             using (var place = new Pinned(values))
             {
                 var room = (UIntPtr)((long)values.Length * Marshal.SizeOf<T>());
-                MimoException.Check(Native.mimo_recording_read(Handle, name, (UIntPtr)checked((uint)first),
-                    (UIntPtr)checked((uint)rows), place.Pointer, room));
+                MimoException.Check(Native.mimo_recording_read(Handle, name, Given.Index(first, "first"),
+                    Given.Index(rows, "rows"), place.Pointer, room));
             }
             return values;
         }
@@ -106,7 +106,7 @@ namespace Mimo
         public int Seek(Env env, int step = 0, bool compareFields = true)
         {
             UIntPtr at;
-            MimoException.Check(Native.mimo_recording_seek(Handle, env.Handle, (UIntPtr)checked((uint)step),
+            MimoException.Check(Native.mimo_recording_seek(Handle, Given.Some(env, "env", "an Env").Handle, Given.Index(step, "step"),
                 compareFields ? 1u : 0u, out at));
             if (grows) env.Layout.Renew();
             return (int)at;
@@ -115,7 +115,7 @@ namespace Mimo
         /// <summary>Plays the next step; its results and observation are the world's.</summary>
         public Step Step(Env env)
         {
-            var step = env.Take((EnvHandle world, byte[] block, ref EnvResultsStruct results) =>
+            var step = Given.Some(env, "env", "an Env").Take((EnvHandle world, byte[] block, ref EnvResultsStruct results) =>
                 Native.mimo_recording_step(Handle, world, block, (UIntPtr)block.Length, ref results));
             if (grows) env.Layout.Renew();
             return step;

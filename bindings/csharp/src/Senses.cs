@@ -55,7 +55,7 @@ namespace Mimo
                 config.render_threads = options.RenderThreads;
                 var log = Logging.Tell(options.Log, out config.log, out config.log_user);
                 SensesHandle made;
-                var status = Native.mimo_senses_attach(scene.Handle, model, ref config, out made);
+                var status = Native.mimo_senses_attach(Given.Some(scene, "scene", "a MimoScene").Handle, model, ref config, out made);
                 made.Log = log;
                 Logging.CheckTold(status, log);
                 return made;
@@ -63,7 +63,7 @@ namespace Mimo
         }
 
         /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
-        public void Read<T>(Field field, T[] into) where T : struct { field.CopyTo(into, Block, 0); }
+        public void Read<T>(Field field, T[] into) where T : struct { Given.Some(field, "field", "one of Layout.Fields").CopyTo(into, Block, 0); }
 
         /// <summary>Starts an episode: nothing was sensed before what the mjData hold. Noise follows from the seed; without
         /// one it goes on from the last episode's.</summary>
@@ -80,15 +80,15 @@ namespace Mimo
         /// an episode starts. Null: all motors that have spindles.</summary>
         public void DriveSpindles(int[] actuators, double[] rates)
         {
-            var count = (UIntPtr)(actuators == null ? 0 : actuators.Length);
+            var count = Given.LengthOrNone(actuators);
             MimoException.Check(
-                Native.mimo_senses_drive_spindles(Handle, actuators, count, rates, (UIntPtr)rates.Length));
+                Native.mimo_senses_drive_spindles(Handle, actuators, count, rates, Given.LengthOf(rates, "rates")));
         }
 
         /// <summary>Lets a body play samples, Pa at 1 m, from the next Advance on: see Env.Play.</summary>
         public void Play(string body, float[] samples, double rate)
         {
-            MimoException.Check(Native.mimo_senses_play(Handle, Utf8.Bytes(body), samples, (UIntPtr)samples.Length, rate));
+            MimoException.Check(Native.mimo_senses_play(Handle, Utf8.Bytes(body), samples, Given.LengthOf(samples, "samples"), rate));
         }
 
         /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
@@ -111,7 +111,7 @@ namespace Mimo
         public LoadReport Load(byte[] state)
         {
             return LoadReport.Of((ref LoadReportStruct report) =>
-                Native.mimo_senses_state_load(Handle, state, (UIntPtr)state.Length, ref report));
+                Native.mimo_senses_state_load(Handle, state, Given.LengthOf(state, "state"), ref report));
         }
 
         /// <summary>Detaches the senses.</summary>

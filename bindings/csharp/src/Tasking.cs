@@ -47,9 +47,10 @@ namespace Mimo
                 MimoException.Check(Native.mimo_scene_set_task(scene, IntPtr.Zero));
                 return null;
             }
-            var terms = task.Terms;
-            var fields = task.Fields;
-            if (task.Memory < 0) throw new ArgumentOutOfRangeException(nameof(task), task.Memory, "Memory is a count");
+            var terms = Given.Some(task.Terms, "Terms", "names, or none of them");
+            var fields = Given.Some(task.Fields, "Fields", "fields, or none of them");
+            foreach (var field in fields) Given.Some(Given.Some(field, "one of Fields", "a TaskField").Shape, "Shape", "an array");
+            Given.Count(task.Memory, "Memory");
             var tasking = new Tasking(task, terms.Count, fields);
             using (var words = new PinnedParts())
             {
@@ -77,7 +78,7 @@ namespace Mimo
             raw.name = words.Text(field.Name);
             raw.unit = words.Text(field.Unit);
             raw.frame = words.Text(field.Frame);
-            raw.shape = words.Keep(field.Shape.Select(size => (UIntPtr)checked((uint)size)).ToArray());
+            raw.shape = words.Keep(field.Shape.Select(size => Given.Index(size, "size")).ToArray());
             raw.ndim = (uint)field.Shape.Length;
             raw.low = field.Low;
             raw.high = field.High;

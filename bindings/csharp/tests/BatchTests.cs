@@ -9,11 +9,15 @@ internal static partial class Tests
 {
     private static Batch ReachBatch(int worlds, uint steps = 0, Autoreset autoreset = Autoreset.None)
     {
-        using (var scene = MimoScene.Builtin("reach"))
-        {
-            scene.AddAgent(scene.DefaultAgent());
+        using (var scene = ReachScene())
             return new Batch(scene, worlds, new EnvOptions { MaxSteps = steps }, autoreset, threads: 2);
-        }
+    }
+
+    private static MimoScene ReachScene()
+    {
+        var scene = MimoScene.Builtin("reach");
+        scene.AddAgents(scene.DefaultAgent());
+        return scene;
     }
 
     private static byte[] BlockOf(Batch batch, int world)

@@ -253,10 +253,11 @@ internal static partial class Tests
             .Select(method => (Action)Delegate.CreateDelegate(typeof(Action), method)).ToList();
     }
 
-    /// <summary>Tests.exe tests/abi/layout.json WHOLE_HEADER, or alone: where no library can be used.</summary>
+    /// <summary>Tests.exe tests/abi/layout.json WHOLE_HEADER; or alone: where no library can be used; or as AtTheEnd says.</summary>
     private static int Main(string[] arguments)
     {
         if (arguments.Length == 0) return SayWhyNothingOpens();
+        if (arguments[0].StartsWith("--end")) return AtTheEnd(arguments[0], arguments[1]);
         layoutFile = arguments[0];
         headerFile = arguments[1];
         var tests = All();
