@@ -119,6 +119,13 @@ test_loading_in_csharp() {
   csharp_refuses "$folder" 'has no mimo_abi_version'
 }
 
+# csharp_ends RUNNER...: programs end that leave everything alive.
+csharp_ends() {
+  local file=build/csharp/recorded.h5
+  timeout 60 "$@" build/csharp/Tests.exe --end "$file" >/dev/null || fail "C# does not end ($1): $?"
+  "$@" build/csharp/Tests.exe --ended "$file" >/dev/null || fail "C# leaves half a recording ($1)"
+}
+
 test_csharp() {
   build_program
   build_csharp
@@ -126,9 +133,11 @@ test_csharp() {
   local -x LD_LIBRARY_PATH=$PWD/build/lib
   tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
   mono build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
+  csharp_ends mono
   if [[ $(uname -sm) == "Linux x86_64" ]]; then
     fetch_dotnet linux
     build/dotnet/linux/dotnet exec --runtimeconfig tests/package/dotnet.json build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
+    csharp_ends build/dotnet/linux/dotnet exec --runtimeconfig tests/package/dotnet.json
   fi
   test_loading_in_csharp
   mono build/csharp/Game.exe 1

@@ -65,9 +65,10 @@ MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) 
  * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
  * @param scene  is not needed any more afterwards.
  * @param config NULL means defaults.
- * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
- *         and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another
- *         version lies in the program's global scope.
+ * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for any task
+ *         except "none" in a scene without agents (of a built-in scene without task and agents the log tells);
+ *         MIMO_E_UNSUPPORTED when eyes are on and no renderer works here, when the program's C++ locale has a decimal
+ *         comma, or when a MuJoCo of another version lies in the program's global scope.
  */
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;

@@ -213,8 +213,40 @@ static void check_overrides(void) {
   mimo_env_destroy(env);
 }
 
+static void keep_text(void* user, const mimo_log_record* record) {
+  if (record->level == MIMO_LOG_WARNING) snprintf(user, 200, "%s", record->text);
+}
+
+/* Nobody does a task in a scene without agents. A room may be empty, which the log tells of a built-in one. */
+static void check_nobody(void) {
+  const char* missing = "mimo_scene_add_agents adds its infants";
+  mimo_scene *reach = scene_named("reach"), *room = scene_named("benchmark"), *empty = scene_named(NULL);
+  mimo_env_config config;
+  mimo_env* env = NULL;
+  mimo_batch* batch = NULL;
+  char told[200] = "";
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.log = keep_text;
+  config.log_user = told;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, missing, mimo_env_create(reach, NULL, &env));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, missing, mimo_batch_create(reach, NULL, NULL, &batch));
+  CHECK_OK(mimo_env_create(empty, &config, &env));
+  mimo_env_destroy(env);
+  CHECK(told[0] == '\0');
+  CHECK_OK(mimo_env_create(room, &config, &env));
+  mimo_env_destroy(env);
+  CHECK(strstr(told, missing) != NULL);
+  config.task = "none";
+  CHECK_OK(mimo_env_create(reach, &config, &env));
+  mimo_env_destroy(env);
+  mimo_scene_destroy(reach);
+  mimo_scene_destroy(room);
+  mimo_scene_destroy(empty);
+}
+
 int main(void) {
   check_parameters();
+  check_nobody();
   check_episode("reach", "reach", 1000, 2, 8);
   check_episode("standup", "standup", 500, 2, 27);
   check_episode("rollover", "rollover", 1000, 2, 38);

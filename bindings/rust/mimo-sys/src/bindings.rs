@@ -1486,9 +1486,10 @@ extern "C" {
     #[doc = "Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched."]
     #[doc = "@param scene  is not needed any more afterwards."]
     #[doc = "@param config NULL means defaults."]
-    #[doc = "Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on"]
-    #[doc = "        and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another"]
-    #[doc = "        version lies in the program's global scope."]
+    #[doc = "Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for any task"]
+    #[doc = "        except \"none\" in a scene without agents (of a built-in scene without task and agents the log tells);"]
+    #[doc = "        MIMO_E_UNSUPPORTED when eyes are on and no renderer works here, when the program's C++ locale has a decimal"]
+    #[doc = "        comma, or when a MuJoCo of another version lies in the program's global scope."]
     pub fn mimo_env_create(
         scene: *const mimo_scene,
         config: *const mimo_env_config,
