@@ -159,12 +159,38 @@ octave_with_mimo() {
   octave-cli --no-init-file --norc --no-history --path "$PWD/bindings/matlab" --path "$PWD/bindings/matlab/tests" --path "$PWD/build/matlab" "$@"
 }
 
+# octave_says MESSAGE FOLDER CODE...: what Octave says that runs the code in a folder, with the functions on its path.
+octave_says() {
+  local message=$1 folder=$2 said
+  shift 2
+  said=$(cd "$folder" && CFLAGS=-O0 octave-cli --no-init-file --norc --no-history --path "$matlab" --eval "$*" 2>&1) || true
+  [[ $said == *"$message"* ]] || fail "Octave says: $said"
+}
+
+# The gateway is compiled for a clone whose path is relative, and for a library that the compiler finds by itself; what
+# is missing is named.
+test_building_for_octave() {
+  local -x matlab=$PWD/bindings/matlab
+  local elsewhere=$PWD/build/octave clone=$PWD/build/octave/libmimo
+  rm -rf "$elsewhere"
+  mkdir -p "$clone/build/installed" "$elsewhere/no"
+  ln -s "$PWD/build/lib" "$clone/build/lib"
+  ln -s "$PWD/include" "$clone/include"
+  octave_says 'mimo_build compiles it' "$elsewhere" 'mimo_version()'
+  octave_says "libmimo is 'nowhere', which is no folder" "$elsewhere" "mimo_build('nowhere')"
+  octave_says "run ./dev build in $elsewhere/no" "$elsewhere" "mimo_build('no')"
+  octave_says 'good' "$elsewhere" "mimo_build('libmimo'); cd no; addpath('..'); mimo_version(), disp('good')"
+  CPATH=$PWD/include LIBRARY_PATH=$PWD/build/lib LD_LIBRARY_PATH=$PWD/build/lib \
+    octave_says 'good' "$clone/build/installed" "mimo_build(); mimo_version(), disp('good')"
+}
+
 test_octave() {
   grep -H '^#include "' bindings/matlab/*.[ch] | sed -E 's|^.*/(\w+)\.[ch]:#include "(\w+)\.h"|\1 \2|' | acyclic "the parts of the MEX gateway"
   build_program
   build_mex
   echo "Tests of the MEX gateway"
   octave_with_mimo --eval tests
+  test_building_for_octave
   local example
   for example in examples/matlab/*.m; do octave_with_mimo "$example"; done
   follow matlab

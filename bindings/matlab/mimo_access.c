@@ -11,6 +11,7 @@ typedef struct selection {
   worlds* all;
   int32_t quantity, *ids;
   size_t count, width; /* values of one world */
+  size_t each;         /* of contacts, which have no names: how many values each has; 0: they are named */
 } selection;
 
 static int32_t find(const worlds* all, int32_t kind, const char* name) {
@@ -22,18 +23,28 @@ static int32_t find(const worlds* all, int32_t kind, const char* name) {
 /* Without names: all. `world` tells how wide they are. */
 static selection select_by_name(worlds* all, const mimo_env* world, const mxArray* name, const mxArray* names) {
   const quantity quantity = mimo_quantity_of(name);
-  selection chosen = {NULL, 0, NULL, 0, 0};
+  selection chosen = {NULL, 0, NULL, 0, 0, 0};
   const char** found = mimo_texts(names, &chosen.count, "name");
   size_t i;
   chosen.all = all;
   chosen.quantity = quantity.number;
+  chosen.each = quantity.each;
   if (found != NULL) chosen.ids = mxCalloc(chosen.count + 1, sizeof *chosen.ids);
   for (i = 0; i < chosen.count; ++i) chosen.ids[i] = find(all, quantity.kind, found[i]);
   mimo_check(mimo_env_width(world, chosen.quantity, chosen.ids, chosen.count, &chosen.width));
   return chosen;
 }
 
-/* values = get(number, quantity, names or [], index): values x worlds, or those of one world */
+/* A row for each contact. */
+static mxArray* rows_of(const selection* chosen, const double* values) {
+  const size_t rows = chosen->width / chosen->each;
+  mxArray* array = mxCreateDoubleMatrix(rows, chosen->each, mxREAL);
+  size_t i;
+  for (i = 0; i < chosen->width; ++i) mxGetPr(array)[i % chosen->each * rows + i / chosen->each] = values[i];
+  return array;
+}
+
+/* values = get(number, quantity, names or [], index): values x worlds, or those of one world; contacts x values */
 static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   const mimo_env* world;
@@ -44,6 +55,8 @@ static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   all = mimo_worlds_of(in[0]);
   world = nin == 4 ? mimo_world_at(all, nin, in, 3) : all->first;
   chosen = select_by_name(all, world, in[1], nin > 2 ? in[2] : NULL);
+  if (chosen.each > 0 && nin < 4 && all->count > 1)
+    mimo_refuse("index: each of %.0f worlds has contacts of its own; say of which", (double)all->count);
   values = mxCreateDoubleMatrix(chosen.width, nin == 4 ? 1 : all->count, mxREAL);
   if (nin == 4 || all->count == 1) {
     mimo_check(mimo_env_get(world, chosen.quantity, chosen.ids, chosen.count, mxGetPr(values), chosen.width));
@@ -51,11 +64,11 @@ static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
     mimo_check(mimo_batch_get(all->batch, chosen.quantity, chosen.ids, chosen.count, NULL, 0, mxGetPr(values),
                               mxGetNumberOfElements(values)));
   }
-  out[0] = values;
+  out[0] = chosen.each > 0 ? rows_of(&chosen, mxGetPr(values)) : values;
 }
 
 /* Values of all worlds, or of one for all. */
-static void set_selected(const selection* chosen, double* values, size_t given) {
+static void set_selected(const selection* chosen, const double* values, size_t given) {
   const size_t worlds = chosen->all->count;
   size_t world;
   if (worlds > 1 && given == chosen->width) {
@@ -71,18 +84,22 @@ static void set_selected(const selection* chosen, double* values, size_t given) 
 static void set(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   selection chosen;
+  const double* values;
+  size_t columns;
   (void)nout;
   (void)out;
-  mimo_need(nin == 4 && mxIsDouble(in[3]) && !mxIsComplex(in[3]),
-            "expected a world, a quantity, names or [], and real values");
+  mimo_need(nin == 4, "expected a world, a quantity, names or [], and values");
   all = mimo_worlds_of(in[0]);
   chosen = select_by_name(all, all->first, in[1], in[2]);
-  set_selected(&chosen, mxGetPr(in[3]), mxGetNumberOfElements(in[3]));
+  columns = mxGetNumberOfElements(in[3]) == chosen.width ? 1 : all->count;
+  values = mimo_matrix(in[3], "values", chosen.width, columns,
+                       "as mimo_get gives them, a column for each world, or one for all");
+  set_selected(&chosen, values, chosen.width * columns);
 }
 
 /* The same value for one element in all worlds. */
-static void set_one(worlds* all, int32_t quantity, int32_t id, double* values, size_t width) {
-  selection chosen = {NULL, 0, NULL, 1, 0};
+static void set_one(worlds* all, int32_t quantity, int32_t id, const double* values, size_t width) {
+  selection chosen = {NULL, 0, NULL, 1, 0, 0};
   chosen.all = all;
   chosen.quantity = quantity;
   chosen.ids = &id;
@@ -160,12 +177,16 @@ static void save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 
 /* struct = load(number, states): a column a world, or one for all; gives names of what started fresh or was left */
 static void load(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
   mimo_load_report report = {0};
   (void)nout;
-  mimo_need(nin == 2 && mxIsUint8(in[1]), "expected a world and bytes that mimo_save gave");
+  mimo_need(nin == 2 && mxIsUint8(in[1]) && !mxIsComplex(in[1]), "expected a world and bytes that mimo_save gave");
+  all = mimo_worlds_of(in[0]);
+  if (!mimo_is_vector(in[1]) && mxGetN(in[1]) != all->count)
+    mimo_refuse("states has %.0f columns, expected one, or one for each of %.0f worlds", (double)mxGetN(in[1]),
+                (double)all->count);
   report.struct_size = sizeof report;
-  mimo_check(mimo_batch_state_load(mimo_worlds_of(in[0])->batch, NULL, 0, mxGetData(in[1]),
-                                   mxGetNumberOfElements(in[1]), &report));
+  mimo_check(mimo_batch_state_load(all->batch, NULL, 0, mxGetData(in[1]), mxGetNumberOfElements(in[1]), &report));
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   mimo_add_text(out[0], "fresh", report.fresh_names);
   mimo_add_text(out[0], "ignored", report.ignored_names);
@@ -226,10 +247,9 @@ static void locked(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 static void gravity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   (void)nout;
-  mimo_need(nin == 1 || (nin == 2 && mxIsDouble(in[1]) && mxGetNumberOfElements(in[1]) == 3),
-            "expected a world, and three numbers");
+  mimo_need(nin == 1 || nin == 2, "expected a world, and three numbers");
   all = mimo_worlds_of(in[0]);
-  if (nin == 2) set_one(all, MIMO_WORLD_GRAVITY, 0, mxGetPr(in[1]), 3);
+  if (nin == 2) set_one(all, MIMO_WORLD_GRAVITY, 0, mimo_vector(in[1], "xyz", 3), 3);
   out[0] = mxCreateDoubleMatrix(3, 1, mxREAL);
   mimo_check(mimo_env_get(all->first, MIMO_WORLD_GRAVITY, NULL, 0, mxGetPr(out[0]), 3));
 }

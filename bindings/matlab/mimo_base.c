@@ -96,7 +96,9 @@ void mimo_need(int good, const char* message) {
 }
 
 char* mimo_text(const mxArray* text, const char* what) {
-  if (!mxIsChar(text)) mimo_refuse("%s: expected a text", what);
+  if (text == NULL || !mxIsChar(text)) mimo_refuse("%s: expected a text", what);
+  if (mxGetNumberOfElements(text) > 0 && mxGetM(text) != 1)
+    mimo_refuse("%s: expected a text in one row, and there are %.0f rows", what, (double)mxGetM(text));
   return mxArrayToString(text); /* MATLAB frees it at the end of the call */
 }
 
@@ -112,10 +114,70 @@ const char** mimo_texts(const mxArray* texts, size_t* count, const char* what) {
   return all;
 }
 
+const mxArray* mimo_full(const mxArray* values) {
+  mxArray* copy = NULL;
+  if (!mxIsSparse(values)) return values;
+  if (mexCallMATLAB(1, &copy, 1, (mxArray**)&values, "full") != 0) mimo_refuse("a sparse array cannot be made full");
+  return copy; /* MATLAB frees it at the end of the call */
+}
+
 double mimo_number(const mxArray* number, const char* what) {
-  if ((!mxIsNumeric(number) && !mxIsLogical(number)) || mxIsComplex(number) || mxGetNumberOfElements(number) != 1)
+  if (number == NULL || (!mxIsNumeric(number) && !mxIsLogical(number)) || mxGetNumberOfElements(number) != 1)
     mimo_refuse("%s: expected a number", what);
-  return mxGetScalar(number);
+  if (mxIsComplex(number)) mimo_refuse("%s: expected a real number, and it is complex", what);
+  return mxGetScalar(mimo_full(number));
+}
+
+double mimo_whole(const mxArray* number, const char* what, double low, double high) {
+  const double value = mimo_number(number, what);
+  if (!(value >= low && value <= high) || value != floor(value))
+    mimo_refuse("%s is %g, expected a whole number from %.0f to %.0f", what, value, low, high);
+  return value;
+}
+
+const double* mimo_numbers(const mxArray* values, const char* what) {
+  const size_t count = values == NULL ? 0 : mxGetNumberOfElements(values);
+  const float* from;
+  double* wide;
+  size_t i;
+  if (values == NULL || (!mxIsDouble(values) && !mxIsSingle(values)))
+    mimo_refuse("%s: expected numbers, double or single", what);
+  if (mxIsComplex(values)) mimo_refuse("%s: expected real numbers, and they are complex", what);
+  values = mimo_full(values);
+  if (mxIsDouble(values)) return mxGetPr(values);
+  from = mxGetData(values);
+  wide = mxCalloc(count + 1, sizeof *wide); /* MATLAB frees it at the end of the call */
+  for (i = 0; i < count; ++i) wide[i] = from[i];
+  return wide;
+}
+
+/* "2 x 3", of as many dimensions as there are. */
+static const char* size_of(const mxArray* values) {
+  static char text[128];
+  const mwSize* sizes = mxGetDimensions(values);
+  size_t used = 0, i;
+  for (i = 0; i < (size_t)mxGetNumberOfDimensions(values) && used + 24 < sizeof text; ++i)
+    used += (size_t)snprintf(text + used, sizeof text - used, i == 0 ? "%.0f" : " x %.0f", (double)sizes[i]);
+  return text;
+}
+
+int mimo_is_vector(const mxArray* values) {
+  return mxGetNumberOfDimensions(values) == 2 && (mxGetM(values) == 1 || mxGetN(values) == 1);
+}
+
+const double* mimo_vector(const mxArray* values, const char* what, size_t count) {
+  const double* numbers = mimo_numbers(values, what);
+  if (mxGetNumberOfElements(values) != count || !mimo_is_vector(values))
+    mimo_refuse("%s is %s, expected %.0f numbers in a row or a column", what, size_of(values), (double)count);
+  return numbers;
+}
+
+const double* mimo_matrix(const mxArray* values, const char* what, size_t rows, size_t columns, const char* meaning) {
+  const double* numbers = mimo_numbers(values, what);
+  const int is_so = mxGetNumberOfDimensions(values) == 2 && mxGetM(values) == rows && mxGetN(values) == columns;
+  if (!is_so && !(mimo_is_vector(values) && mxGetNumberOfElements(values) == rows * columns))
+    mimo_refuse("%s is %s, expected %.0f x %.0f: %s", what, size_of(values), (double)rows, (double)columns, meaning);
+  return numbers;
 }
 
 /* Where it stands in its table, or -1: a table's numbers follow the first. */
@@ -160,11 +222,7 @@ mimo_scene* mimo_scene_of(const mxArray* number) {
 }
 
 static size_t index_at(size_t count, const char* what, int nin, const mxArray* in[], int at) {
-  double index = 1;
-  if (nin > at) index = mimo_number(in[at], what);
-  if (!(index >= 1 && index <= (double)count) || index != floor(index))
-    mimo_refuse("%s is %g, expected a whole number from 1 to %d", what, index, (int)count);
-  return (size_t)index - 1;
+  return nin > at ? (size_t)mimo_whole(in[at], what, 1, (double)count) - 1 : 0;
 }
 
 mimo_env* mimo_world_at(worlds* all, int nin, const mxArray* in[], int at) {

@@ -90,6 +90,18 @@ mxArray* mimo_name_of(const worlds* all, int32_t kind, int32_t id);
 char* mimo_text(const mxArray* text, const char* what);
 const char** mimo_texts(const mxArray* texts, size_t* count, const char* what); /* a cell array, or one; NULL for [] */
 double mimo_number(const mxArray* number, const char* what);
+double mimo_whole(const mxArray* number, const char* what, double low, double high);
+
+/* The array itself, or of a sparse one, which has its numbers otherwise, a full copy that lasts as long as the call. */
+const mxArray* mimo_full(const mxArray* values);
+
+/* Real numbers, double or single, of a full or a sparse array, as doubles in MATLAB's order; they last as long as the
+   call. `vector` has so many in a row or a column; `matrix` has that shape, or is a vector where that does not matter:
+   `rows` and `columns` say what they are, "a row for each action". */
+const double* mimo_numbers(const mxArray* values, const char* what);
+const double* mimo_vector(const mxArray* values, const char* what, size_t count);
+const double* mimo_matrix(const mxArray* values, const char* what, size_t rows, size_t columns, const char* meaning);
+int mimo_is_vector(const mxArray* values);
 
 /* A member of a struct of MATLAB's: anything, a text, a number, or an array of numbers. */
 void mimo_add(mxArray* to, const char* name, mxArray* value);

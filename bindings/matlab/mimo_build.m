@@ -1,20 +1,31 @@
 function mimo_build(libmimo)
 % MIMO_BUILD  Compiles the gateway, once.
-%   mimo_build('/home/me/libmimo') takes libmimo from a clone in which ./dev build was run; mimo_build() takes the one
-%   that is installed. The compiled gateway goes to the current folder; it finds the library again by itself.
+%   mimo_build('../libmimo') takes libmimo from a clone in which ./dev build was run; mimo_build() takes the one that is
+%   installed. The compiled gateway goes to the current folder; it finds the library again by itself.
 here = fileparts(mfilename('fullpath'));
 sources = dir(fullfile(here, '*.c'));
 sources = cellfun(@(name) fullfile(here, name), {sources.name}, 'UniformOutput', false);
 flags = {'-lmimo'};
-linker = '';
+linker = {};
 if nargin > 0
-  folder = fullfile(libmimo, 'build', 'lib');
-  flags = {['-I' fullfile(libmimo, 'include')], ['-L' folder], '-lmimo'};
-  linker = ['-Wl,-rpath,' folder];
+  root = whole_path(libmimo);
+  folder = fullfile(root, 'build', 'lib');
+  if ~exist(folder, 'dir'), error('mimo:NOT_FOUND', 'there is no %s: run ./dev build in %s', folder, root); end
+  flags = {['-I' fullfile(root, 'include')], ['-L' folder], '-lmimo'};
+  linker = {['-Wl,-rpath,' folder]};
 end
 if exist('OCTAVE_VERSION', 'builtin')
-  mkoctfile('--mex', '-o', 'mimo_mex.mex', sources{:}, flags{:}, linker);
+  mkoctfile('--mex', '-o', 'mimo_mex.mex', sources{:}, flags{:}, linker{:});
 else
-  mex('-R2017b', '-output', 'mimo_mex', sources{:}, flags{:}, ['LDFLAGS=$LDFLAGS ' linker]);
+  if ~isempty(linker), linker = {['LDFLAGS=$LDFLAGS ' linker{1}]}; end
+  mex('-R2017b', '-output', 'mimo_mex', sources{:}, flags{:}, linker{:});
 end
+end
+
+% The gateway is told where the library lies, and may be loaded from any folder.
+function folder = whole_path(folder)
+if ~exist(folder, 'dir'), error('mimo:NOT_FOUND', 'libmimo is ''%s'', which is no folder', folder); end
+before = cd(folder);
+folder = pwd();
+cd(before);
 end

@@ -18,7 +18,9 @@ static int32_t read_axes(const mxArray* name) {
 }
 
 /* A geom, texture or light, counted from 1. */
-static int32_t read_id(const mxArray* number, const char* what) { return (int32_t)mimo_number(number, what) - 1; }
+static int32_t read_id(const mxArray* number, const char* what) {
+  return (int32_t)mimo_whole(number, what, 0, 2147483647.0) - 1;
+}
 
 /* `rows` numbers for each of `count`, as an array of doubles. */
 static mxArray* rows_of(const float* values, size_t rows, size_t count) {
@@ -41,7 +43,7 @@ static void mesh(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   geom = read_id(in[1], "geom");
   mimo_check(mimo_mesh_init(&wanted, sizeof wanted));
   wanted.axes = read_axes(in[2]);
-  wanted.segments = (uint32_t)mimo_number(in[3], "segments");
+  wanted.segments = (uint32_t)mimo_whole(in[3], "segments", 4, 256);
   wanted.plane = mimo_number(in[4], "plane");
   mimo_check(mimo_env_mesh(env, geom, &wanted));
   wanted.vertex_capacity = wanted.vertex_count;
@@ -148,14 +150,15 @@ static void poses(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 static void convert(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_status (*function)(int32_t, float*, size_t) = mimo_convert_points;
   size_t count, i;
+  const double* numbers;
   float* values;
   (void)nout;
-  mimo_need(nin == 3 && mxIsDouble(in[1]) && !mxIsComplex(in[1]) && mxGetM(in[1]) == 3,
-            "expected three rows of numbers, and axes");
-  if (strcmp(mimo_text(in[0], "what"), "directions") == 0) function = mimo_convert_directions;
+  mimo_need(nin == 3, "expected what, three rows of numbers, and axes");
   count = mxGetN(in[1]);
+  numbers = mimo_matrix(in[1], "values", 3, count, "three rows, a column for each");
+  if (strcmp(mimo_text(in[0], "what"), "directions") == 0) function = mimo_convert_directions;
   values = mxCalloc(3 * count + 1, sizeof *values);
-  for (i = 0; i < 3 * count; ++i) values[i] = (float)mxGetPr(in[1])[i];
+  for (i = 0; i < 3 * count; ++i) values[i] = (float)numbers[i];
   mimo_check(function(read_axes(in[2]), values, count));
   out[0] = rows_of(values, 3, count);
 }

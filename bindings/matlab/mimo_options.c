@@ -1,7 +1,6 @@
 /* Options, by the names that the members of mimo.h's structs have. */
 #include "mimo_options.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -235,16 +234,7 @@ double mimo_take_number(properties* given, const char* name) {
 }
 
 void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value) {
-  if (!mxIsDouble(value) || mxIsComplex(value) || mxGetNumberOfElements(value) != count)
-    mimo_refuse("%s: expected %d numbers", name, (int)count);
-  memcpy(to, mxGetPr(value), count * sizeof *to);
-}
-
-/* Whole numbers of C that would not survive a conversion are refused here; ranges are the library's business. */
-static double whole(const char* name, const mxArray* value, double low, double high) {
-  const double number = mimo_number(value, name);
-  if (!(number >= low && number <= high) || number != floor(number)) refuse(name, "a whole number");
-  return number;
+  memcpy(to, mimo_vector(value, name, count), count * sizeof *to);
 }
 
 /* What of an infant is as old as it: one of these words, several, or bits. */
@@ -259,7 +249,7 @@ static uint32_t maturity(const char* name, const mxArray* value) {
   uint32_t bits = 0;
   const char** texts;
   size_t count, i, word;
-  if (mxIsNumeric(value)) return (uint32_t)whole(name, value, 0, 4294967295.0);
+  if (mxIsNumeric(value)) return (uint32_t)mimo_whole(value, name, 0, 4294967295.0);
   texts = mimo_texts(value, &count, name);
   for (i = 0; i < count; ++i) {
     for (word = 0; word < known && strcmp(words[word].text, texts[i]) != 0; ++word) continue;
@@ -273,9 +263,9 @@ static uint32_t maturity(const char* name, const mxArray* value) {
 static void set_option(void* config, const option* option, const mxArray* value) {
   char* member = (char*)config + option->offset;
   switch (option->kind) {
-    case kUnsigned: *(uint32_t*)member = (uint32_t)whole(option->name, value, 0, 4294967295.0); break;
-    case kWide: *(uint64_t*)member = (uint64_t)whole(option->name, value, 0, 9007199254740992.0); break;
-    case kSigned: *(int32_t*)member = (int32_t)whole(option->name, value, -2147483648.0, 2147483647.0); break;
+    case kUnsigned: *(uint32_t*)member = (uint32_t)mimo_whole(value, option->name, 0, 4294967295.0); break;
+    case kWide: *(uint64_t*)member = (uint64_t)mimo_whole(value, option->name, 0, 9007199254740992.0); break;
+    case kSigned: *(int32_t*)member = (int32_t)mimo_whole(value, option->name, -2147483648.0, 2147483647.0); break;
     case kMaturity: *(uint32_t*)member = maturity(option->name, value); break;
     case kNumber: *(double*)member = mimo_number(value, option->name); break;
     case kThree: mimo_read_numbers((double*)member, 3, option->name, value); break;
@@ -306,17 +296,18 @@ void mimo_set_all(void* config, const option* options, properties* given, const 
 
 const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* usual, size_t* count) {
   const mimo_growth** ages;
+  const double* numbers;
   mimo_growth* growths;
   size_t i;
   *count = mxGetNumberOfElements(months);
   if (*count == 0) return NULL;
-  if (!mxIsDouble(months) || mxIsComplex(months)) mimo_refuse("ages: expected months, as an array of double");
+  numbers = mimo_vector(months, "ages", *count);
   ages = mxCalloc(*count, sizeof *ages);
   growths = mxCalloc(*count, sizeof *growths);
   for (i = 0; i < *count; ++i) {
-    if (mxIsNaN(mxGetPr(months)[i])) continue;
+    if (mxIsNaN(numbers[i])) continue;
     growths[i] = *usual;
-    growths[i].age = mxGetPr(months)[i];
+    growths[i].age = numbers[i];
     ages[i] = &growths[i];
   }
   return ages;

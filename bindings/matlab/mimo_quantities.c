@@ -4,7 +4,9 @@
 #include <string.h>
 
 #define QUANTITY(kind, what, name) \
-  { name, MIMO_##kind, MIMO_##kind##_##what }
+  { name, MIMO_##kind, MIMO_##kind##_##what, 0 }
+#define OF_EACH(kind, what, name, each) \
+  { name, MIMO_##kind, MIMO_##kind##_##what, each }
 static const quantity quantities[] = {
     QUANTITY(BODY, POSITION, "body_position"),
     QUANTITY(BODY, ORIENTATION, "body_orientation"),
@@ -42,20 +44,20 @@ static const quantity quantities[] = {
     QUANTITY(LIGHT, POSITION, "light_position"),
     QUANTITY(LIGHT, DIRECTION, "light_direction"),
     QUANTITY(LIGHT, COLOR, "light_color"),
-    QUANTITY(CONTACT, GEOMS, "contact_geoms"),
-    QUANTITY(CONTACT, BODIES, "contact_bodies"),
-    QUANTITY(CONTACT, POSITION, "contact_position"),
-    QUANTITY(CONTACT, FRAME, "contact_frame"),
-    QUANTITY(CONTACT, DISTANCE, "contact_distance"),
-    QUANTITY(CONTACT, FORCE, "contact_force"),
-    QUANTITY(CONTACT, TORQUE, "contact_torque"),
-    QUANTITY(STEP_CONTACT, GEOMS, "step_contact_geoms"),
-    QUANTITY(STEP_CONTACT, BODIES, "step_contact_bodies"),
-    QUANTITY(STEP_CONTACT, START, "step_contact_start"),
-    QUANTITY(STEP_CONTACT, END, "step_contact_end"),
-    QUANTITY(STEP_CONTACT, IMPULSE, "step_contact_impulse"),
-    QUANTITY(STEP_CONTACT, PEAK_FORCE, "step_contact_peak_force"),
-    QUANTITY(STEP_CONTACT, PEAK_POSITION, "step_contact_peak_position"),
+    OF_EACH(CONTACT, GEOMS, "contact_geoms", 2),
+    OF_EACH(CONTACT, BODIES, "contact_bodies", 2),
+    OF_EACH(CONTACT, POSITION, "contact_position", 3),
+    OF_EACH(CONTACT, FRAME, "contact_frame", 9),
+    OF_EACH(CONTACT, DISTANCE, "contact_distance", 1),
+    OF_EACH(CONTACT, FORCE, "contact_force", 3),
+    OF_EACH(CONTACT, TORQUE, "contact_torque", 3),
+    OF_EACH(STEP_CONTACT, GEOMS, "step_contact_geoms", 2),
+    OF_EACH(STEP_CONTACT, BODIES, "step_contact_bodies", 2),
+    OF_EACH(STEP_CONTACT, START, "step_contact_start", 1),
+    OF_EACH(STEP_CONTACT, END, "step_contact_end", 1),
+    OF_EACH(STEP_CONTACT, IMPULSE, "step_contact_impulse", 3),
+    OF_EACH(STEP_CONTACT, PEAK_FORCE, "step_contact_peak_force", 3),
+    OF_EACH(STEP_CONTACT, PEAK_POSITION, "step_contact_peak_position", 3),
     QUANTITY(AGENT, FACE, "agent_face"),
     QUANTITY(AGENT, GOAL, "agent_goal"),
     QUANTITY(AGENT, ACHIEVED, "agent_achieved"),
@@ -70,7 +72,7 @@ quantity mimo_quantity_of(const mxArray* name) {
   const size_t length = strlen(text);
   const int now = length > 4 && strcmp(text + length - 4, "_now") == 0;
   const size_t rest = now ? length - 4 : length;
-  quantity found = {"", 0, 0};
+  quantity found = {"", 0, 0, 0};
   size_t i;
   for (i = 0; i < sizeof quantities / sizeof *quantities; ++i) {
     found = quantities[i];

@@ -7,6 +7,7 @@
 typedef struct quantity {
   const char* name;
   int32_t kind, number;
+  size_t each; /* of contacts, which have no names: how many values each has; 0: they are named */
 } quantity;
 
 /* By its name, which may end in "_now": then its number has MIMO_NOW. Raises mimo:NOT_FOUND. */

@@ -1,7 +1,7 @@
 /* Runs in files: written while they happen, and played again. */
 #include "mimo_recordings.h"
 
-#include <stdint.h>
+#include <math.h>
 
 #include "mimo_options.h"
 
@@ -99,15 +99,14 @@ static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 5, "expected a world, a file, steps and whether to compare fields");
   all = mimo_worlds_of(in[0]);
-  first = mimo_number(in[2], "from");
-  end = mimo_number(in[3], "to");
-  mimo_need(first >= 0 && end >= 0, "steps are counted from 0");
+  first = mimo_whole(in[2], "first", 0, 9007199254740992.0);
+  end = mimo_number(in[3], "last");
+  if (!(end >= 0) || end != floor(end)) mimo_refuse("last is %g, expected a whole number from 0, or inf", end);
   open_file(in[1]);
   report.struct_size = sizeof report;
   steps = described().steps;
   last = end < (double)steps ? (size_t)end : steps;
-  check(mimo_recording_seek(open_recording, all->first, first < 1e15 ? (size_t)first : SIZE_MAX,
-                            mimo_number(in[4], "compare") != 0, &at));
+  check(mimo_recording_seek(open_recording, all->first, (size_t)first, mimo_number(in[4], "compare") != 0, &at));
   for (; at < last; ++at) {
     check(mimo_recording_step(open_recording, all->first, all->blocks, all->sizes.block_bytes, NULL));
   }

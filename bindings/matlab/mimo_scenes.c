@@ -2,7 +2,6 @@
 #include "mimo_scenes.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <string.h>
 
 #include "mimo_messages.h"
@@ -15,10 +14,7 @@ typedef double (*adder)(mimo_scene* scene, properties* given);
 /* Agents are counted from 1; without a number it is the first. */
 static size_t take_agent(properties* given) {
   const mxArray* value = mimo_take(given, "agent");
-  const double number = value == NULL ? 1 : mimo_number(value, "agent");
-  if (!(number >= 1 && number <= 2147483647.0) || number != floor(number))
-    mimo_refuse("agent is %g, expected a whole number from 1", number);
-  return (size_t)number - 1;
+  return value == NULL ? 0 : (size_t)mimo_whole(value, "agent", 1, 2147483647.0) - 1;
 }
 
 /* How old it is, where that is said. */
@@ -152,9 +148,12 @@ static double add_sensory_delay(mimo_scene* scene, properties* given) {
 }
 
 static double set_sources(mimo_scene* scene, properties* given) {
-  const double count = mimo_take_number(given, "count"), seconds = mimo_take_number(given, "seconds");
+  const mxArray* bodies = mimo_take(given, "count");
+  const double seconds = mimo_take_number(given, "seconds");
+  double count;
+  mimo_need(bodies != NULL, "count: expected a number");
   mimo_set_all(NULL, mimo_no_options, given, "how much can be played");
-  mimo_need(count >= 1 && count <= 64, "count: expected 1 to 64 bodies that play at once");
+  count = mimo_whole(bodies, "count", 1, 64);
   mimo_check(mimo_scene_set_sources(scene, (size_t)count, seconds));
   return 0;
 }
@@ -296,6 +295,8 @@ static void scene_add(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 static void set_start(mimo_scene_config* config, const char* start) {
   const size_t length = strlen(start);
   const char* first = start;
+  mimo_need(length > 0,
+            "scene is '', expected a built-in scene, an MJCF file or MJCF text; mimo_scene() is an empty world");
   while (isspace((unsigned char)*first)) ++first;
   if (*first == '<')
     config->xml = start;

@@ -38,15 +38,14 @@ static look read_look(int nin, const mxArray* in[]) {
   worlds* all;
   const char* how;
   look wanted;
-  mimo_need(nin >= 3 && mxIsDouble(in[1]) && mxGetNumberOfElements(in[1]) == 3,
-            "expected a world, a point of three numbers, and 'eyes' or 'head'");
+  mimo_need(nin >= 3, "expected a world, a point of three numbers, and 'eyes' or 'head'");
   all = mimo_worlds_of(in[0]);
   how = mimo_text(in[2], "how");
   wanted.how = strcmp(how, "head") == 0 ? MIMO_LOOK_HEAD : MIMO_LOOK_EYES;
   mimo_need(wanted.how == MIMO_LOOK_HEAD || strcmp(how, "eyes") == 0, "what turns is 'eyes' or 'head'");
   wanted.env = mimo_world_at(all, nin, in, 3);
   wanted.agent = mimo_agent_at(all, nin, in, 4);
-  wanted.point = mxGetPr(in[1]);
+  wanted.point = mimo_vector(in[1], "point", 3);
   return wanted;
 }
 
@@ -126,13 +125,16 @@ static void picture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 /* pixels = project(number, points, height, width, camera, index): of 3 x n points, 3 x n */
 static void project(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_picture_config config;
+  const double* points;
+  size_t count;
   (void)nout;
-  mimo_need(nin >= 5 && mxIsDouble(in[1]) && !mxIsComplex(in[1]) && mxGetM(in[1]) == 3,
-            "expected a world, points (three rows), height, width, and a camera or ''");
+  mimo_need(nin >= 5, "expected a world, points (three rows), height, width, and a camera or ''");
+  count = mxGetN(in[1]);
+  points = mimo_matrix(in[1], "points", 3, count, "three rows, a column for each point");
   config = read_picture(in + 2);
-  out[0] = mxCreateDoubleMatrix(3, mxGetN(in[1]), mxREAL);
-  mimo_check(mimo_env_project(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 5), &config, mxGetPr(in[1]), mxGetN(in[1]),
-                              mxGetPr(out[0])));
+  out[0] = mxCreateDoubleMatrix(3, count, mxREAL);
+  mimo_check(
+      mimo_env_project(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 5), &config, points, count, mxGetPr(out[0])));
 }
 
 const mimo_command mimo_sight_commands[] = {{"gaze", gaze},       {"look_at", look_at}, {"look_angles", look_angles},

@@ -39,10 +39,7 @@ static void close_number(int nout, mxArray* out[], int nin, const mxArray* in[])
 }
 
 /* Numbers of MATLAB's are whole up to 2^53; its uint64 has all seeds. */
-static uint64_t seed_at(const mxArray* seeds, size_t i) {
-  double value;
-  if (mxIsUint64(seeds)) return ((const uint64_t*)mxGetData(seeds))[i];
-  value = mxGetPr(seeds)[i];
+static uint64_t seed_of(double value) {
   mimo_need(value >= 0 && value <= 9007199254740992.0 && value == floor(value),
             "a seed is a whole number from 0 to 2^53, or a uint64");
   return (uint64_t)value;
@@ -51,13 +48,19 @@ static uint64_t seed_at(const mxArray* seeds, size_t i) {
 /* One seed for each world; a single one means it and those that follow it. */
 static uint64_t* read_seeds(const worlds* all, const mxArray* given) {
   const size_t count = mxGetNumberOfElements(given);
+  const uint64_t* wide = mxIsUint64(given) && !mxIsComplex(given) ? mxGetData(given) : NULL;
+  const double* numbers;
   uint64_t* seeds;
   size_t i;
   if (count == 0) return NULL;
-  mimo_need((mxIsDouble(given) || mxIsUint64(given)) && (count == 1 || count == all->count),
-            "expected a seed, or one for each world");
+  mimo_need(!mxIsSingle(given), "a seed is a double or a uint64: single numbers are whole up to 2^24 only");
+  numbers = wide == NULL ? mimo_numbers(given, "seeds") : NULL;
+  mimo_need(count == 1 || (count == all->count && mimo_is_vector(given)), "expected a seed, or one for each world");
   seeds = mxCalloc(all->count, sizeof *seeds);
-  for (i = 0; i < all->count; ++i) seeds[i] = count == 1 ? seed_at(given, 0) + i : seed_at(given, i);
+  for (i = 0; i < all->count; ++i) {
+    const size_t at = count == 1 ? 0 : i;
+    seeds[i] = (wide != NULL ? wide[at] : seed_of(numbers[at])) + (count == 1 ? i : 0);
+  }
   return seeds;
 }
 
@@ -66,10 +69,10 @@ static uint8_t* read_mask(const worlds* all, const mxArray* given) {
   uint8_t* mask;
   size_t i;
   if (mxIsEmpty(given)) return NULL;
-  mimo_need(mxIsLogical(given) && mxGetNumberOfElements(given) == all->count,
+  mimo_need(mxIsLogical(given) && mxGetNumberOfElements(given) == all->count && mimo_is_vector(given),
             "a mask has a logical value for each world");
   mask = mxCalloc(all->count, 1);
-  for (i = 0; i < all->count; ++i) mask[i] = mxGetLogicals(given)[i];
+  for (i = 0; i < all->count; ++i) mask[i] = mxGetLogicals(mimo_full(given))[i];
   return mask;
 }
 
@@ -92,16 +95,15 @@ static void reset(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_reset(all->batch, &config, all->blocks, all->count * all->sizes.block_bytes));
 }
 
-/* Actions may be double or single; the library has single precision. A column a world. */
+/* The library has single precision. A column a world. */
 static size_t read_actions(worlds* all, const mxArray* actions) {
-  const size_t count = mxGetNumberOfElements(actions), expected = all->count * all->sizes.actions;
+  const size_t count = mxGetNumberOfElements(actions);
+  const double* numbers;
   size_t i;
   if (count == 0) return 0;
-  mimo_need((mxIsDouble(actions) || mxIsSingle(actions)) && !mxIsComplex(actions),
-            "actions are real numbers, double or single");
-  if (count != expected) mimo_refuse("%d actions, expected %d", (int)count, (int)expected);
-  for (i = 0; i < count; ++i)
-    all->actions[i] = mxIsSingle(actions) ? ((const float*)mxGetData(actions))[i] : (float)mxGetPr(actions)[i];
+  numbers =
+      mimo_matrix(actions, "actions", all->sizes.actions, all->count, "a row for each action, a column for each world");
+  for (i = 0; i < count; ++i) all->actions[i] = (float)numbers[i];
   return count;
 }
 
@@ -186,20 +188,23 @@ static void observe(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 /* forces = follow(number, positions): a step of a known movement; a column for each physics step, in one world */
 static void follow(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
-  size_t degrees = 0;
+  size_t degrees = 0, joints = 0;
+  uint32_t steps = 0;
   mimo_env* env = NULL;
   mimo_movement movement = {0};
   (void)nout;
   mimo_need(nin == 2, "expected a world and positions");
   all = mimo_worlds_of(in[0]);
   if (all->count != 1) mimo_refuse("a known movement is for one world, and there are %.0f", (double)all->count);
-  if (!mxIsDouble(in[1]) || mxIsComplex(in[1])) mimo_refuse("positions is not an array of real doubles");
   mimo_check(mimo_batch_world(all->batch, 0, &env));
   mimo_check(mimo_env_width(env, MIMO_JOINT_VELOCITY, NULL, 0, &degrees));
-  out[0] = mxCreateDoubleMatrix(degrees, mxGetN(in[1]), mxREAL);
+  mimo_check(mimo_env_width(env, MIMO_JOINT_POSITION, NULL, 0, &joints));
+  mimo_check(mimo_env_frame_skip(env, &steps));
+  out[0] = mxCreateDoubleMatrix(degrees, steps, mxREAL);
   movement.struct_size = sizeof movement;
-  movement.positions = mxGetPr(in[1]);
-  movement.position_count = mxGetNumberOfElements(in[1]);
+  movement.positions = mimo_matrix(in[1], "positions", joints, steps,
+                                   "a row for each number of a joint, a column for each physics step");
+  movement.position_count = joints * steps;
   movement.forces = mxGetPr(out[0]);
   movement.force_count = mxGetNumberOfElements(out[0]);
   mimo_check(mimo_env_follow(env, &movement, all->blocks, all->sizes.block_bytes));
@@ -214,9 +219,7 @@ static void physics(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)out;
   mimo_need(nin == 2, "expected a world and a number of physics steps");
   all = mimo_worlds_of(in[0]);
-  count = mimo_number(in[1], "steps");
-  if (!(count >= 0 && count <= 1e6) || count != floor(count))
-    mimo_refuse("steps is %g, expected a whole number from 0 to 1000000", count);
+  count = mimo_whole(in[1], "steps", 0, 1e6);
   for (i = 0; i < all->count; ++i) {
     mimo_env* env = NULL;
     mimo_check(mimo_batch_world(all->batch, i, &env));
@@ -227,6 +230,7 @@ static void physics(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 /* play(number, body, samples, rate): samples x 1, the same in all worlds, or a column for each */
 static void play(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const char* body;
+  const double* numbers;
   worlds* all;
   size_t count, columns, i, world;
   (void)nout;
@@ -234,7 +238,7 @@ static void play(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_need(nin == 4, "expected a world, a body, samples and a rate");
   all = mimo_worlds_of(in[0]);
   body = mimo_text(in[1], "body");
-  if (!mxIsDouble(in[2]) || mxIsComplex(in[2])) mimo_refuse("samples is not an array of real doubles");
+  numbers = mimo_numbers(in[2], "samples");
   count = mxGetM(in[2]);
   columns = mxGetN(in[2]);
   if (count == 1 && all->count == 1) count = columns, columns = 1; /* a row */
@@ -243,7 +247,7 @@ static void play(int nout, mxArray* out[], int nin, const mxArray* in[]) {
     mimo_refuse("samples has %.0f columns, expected one, or one for each of %.0f worlds", (double)columns,
                 (double)all->count);
   for (world = 0; world < all->count; ++world) {
-    const double* from = mxGetPr(in[2]) + (columns == 1 ? 0 : world * count);
+    const double* from = numbers + (columns == 1 ? 0 : world * count);
     float* samples = (float*)mxMalloc((count + 1) * sizeof(float));
     mimo_env* env = NULL;
     for (i = 0; i < count; ++i) samples[i] = (float)from[i];
@@ -261,9 +265,7 @@ static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[
   (void)nout;
   mimo_need(nin == 2, "expected a world and how many numbers");
   all = mimo_worlds_of(in[0]);
-  count = mimo_number(in[1], "count");
-  if (!(count >= 0 && count <= 1e8) || count != floor(count))
-    mimo_refuse("count is %g, expected a whole number from 0 to 100000000", count);
+  count = mimo_whole(in[1], "count", 0, 1e8);
   out[0] = mxCreateDoubleMatrix((size_t)count, all->count, mxREAL);
   for (i = 0; i < all->count; ++i) {
     mimo_env* env = NULL;
