@@ -25,6 +25,21 @@ def furnished():
     return scene
 
 
+@pytest.mark.parametrize("start", ["name", "file", "xml"])
+def test_what_starts_from_nothing(start):
+    """For C "" is nothing, and nothing is an empty world."""
+    with pytest.raises(ValueError, match=f"^{start} is '', expected"):
+        mimo.Scene(**{start: ""})
+
+
+def test_nobody_does_a_task(caplog):
+    """A task needs somebody; a room may be empty, which is told."""
+    with pytest.raises(mimo.ArgumentError, match='task "reach" is for agents.*add_agents adds its infants'):
+        mimo.World(mimo.Scene("reach"))
+    mimo.World(mimo.Scene("benchmark"))
+    assert ['scene "benchmark" has no agents' in message for message in caplog.messages] == [True]
+
+
 def test_furniture():
     assert mimo.rooms() == ["playroom"]
     world = mimo.World(furnished())

@@ -137,6 +137,9 @@ class Scene(Handle):
         model_dir: Optional[Union[str, "os.PathLike[str]"]] = None,
         **limits: Unpack[DocumentOptions],
     ) -> None:
+        for start, given in (("name", name), ("file", file), ("xml", xml)):
+            if given == "":
+                raise ValueError(f"{start} is '', expected what the scene starts from, or nothing for an empty world")
         self._start: Dict[str, Any] = {
             "name": name,
             "file": None if file is None else os.path.abspath(file),

@@ -1,5 +1,5 @@
 //! What a scene is made of.
-use crate::error::{c_string, Result};
+use crate::error::{c_string, Error, Kind, Result};
 use crate::log::{self, Log, LogRecord};
 use crate::structs::{defaults, pointer};
 use crate::sys;
@@ -45,6 +45,14 @@ pub struct DocumentLimits {
     pub confined: bool,
 }
 
+/// What a scene starts from: for C "" is nothing, and would be an empty world.
+fn start(name: &str, text: &str, expected: &str) -> Result<CString> {
+    if text.is_empty() {
+        return Err(Error::new(Kind::InvalidArgument, format!("{name} is \"\", expected {expected}")));
+    }
+    c_string(text)
+}
+
 impl SceneConfig {
     /// An empty world.
     pub fn empty() -> Result<SceneConfig> {
@@ -54,17 +62,20 @@ impl SceneConfig {
 
     /// A built-in scene: "reach", "benchmark", ...; see [`builtin_scenes`](crate::builtin_scenes).
     pub fn builtin(name: &str) -> Result<SceneConfig> {
-        Ok(SceneConfig { name: Some(c_string(name)?), ..SceneConfig::empty()? })
+        Ok(SceneConfig {
+            name: Some(start("name", name, "that of a built-in scene")?),
+            ..SceneConfig::empty()?
+        })
     }
 
     /// An MJCF file. Its includes may name built-in files as "mimo/mitten.xml".
     pub fn file(path: &str) -> Result<SceneConfig> {
-        Ok(SceneConfig { file: Some(c_string(path)?), ..SceneConfig::empty()? })
+        Ok(SceneConfig { file: Some(start("path", path, "that of an MJCF file")?), ..SceneConfig::empty()? })
     }
 
     /// MJCF text; relative paths in it start from the working directory.
     pub fn xml(text: &str) -> Result<SceneConfig> {
-        Ok(SceneConfig { xml: Some(c_string(text)?), ..SceneConfig::empty()? })
+        Ok(SceneConfig { xml: Some(start("text", text, "MJCF text")?), ..SceneConfig::empty()? })
     }
 
     /// For a document from somebody who is not trusted, or one that needs more than is usual.

@@ -13,6 +13,19 @@ fn ball() -> Env {
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
 
+/// For C "" is nothing, and nothing is an empty world; a task needs somebody, a room may be empty.
+#[test]
+fn scenes_of_nothing_and_nobody_are_refused() {
+    for made in [Scene::builtin(""), Scene::file(""), Scene::xml("")] {
+        let error = made.unwrap_err();
+        assert_eq!(error.kind(), Kind::InvalidArgument);
+        assert!(error.message().contains("is \"\", expected"), "{}", error);
+    }
+    let error = Env::new(&Scene::builtin("reach").unwrap(), &EnvConfig::new().unwrap()).unwrap_err();
+    assert_eq!(error.kind(), Kind::InvalidArgument);
+    assert!(error.message().contains("mimo_scene_add_agents adds its infants"), "{}", error);
+}
+
 /// The original's infant weighs 10.905 kg; MIMo's bodies hang on mimo_location.
 #[test]
 fn body_is_that_of_the_paper() {
