@@ -13,7 +13,8 @@ static void record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout, (void)out;
   mimo_need(nin >= 3, "expected a world and a file");
   all = mimo_worlds_of(in[0]);
-  mimo_need(all->recorder == NULL, "one of these worlds is being recorded; mimo_record_end ends that");
+  if (all->recorder != NULL)
+    mexErrMsgIdAndTxt("mimo:BUSY", "one of these worlds is being recorded; mimo_record_end ends that");
   given = mimo_pairs(nin - 3, in + 3);
   mimo_check(mimo_recorder_config_init(&config, sizeof config));
   mimo_set_all(&config, mimo_recorder_options, &given, "a recording");

@@ -1,7 +1,9 @@
 #include "blueprint/blueprint.h"
 
+#include "base/fail.h"
 #include "base/format.h"
 #include "env/succession.h"
+#include "env/world.h"
 #include "render/renderer.h"
 
 namespace mimo::blueprint {
@@ -11,21 +13,25 @@ static_assert(std::is_nothrow_move_assignable_v<Draft>);
 
 namespace {
 
-// Built-in scenes are made for infants, others may be of physics alone. Tasks refuse to be without.
-void tell_of_nobody(const Draft& draft, const LogSink& log) {
-  if (draft.scene.built_in().empty() || !draft.agents.all().empty()) return;
-  log(LogLevel::kWarning, format("scene \"{}\" has no agents, so nobody senses or acts in it; "
-                                 "mimo_scene_add_agents adds its infants",
-                                 draft.scene.built_in()));
+// A task needs somebody. So does a built-in scene, as a rule; other worlds may be of physics alone.
+void check_agents(const Draft& draft, const env::Kit& kit, const LogSink& log) {
+  if (!kit.agents.empty()) return;
+  constexpr const char* kRemedy = "mimo_scene_add_agents adds its infants";
+  const std::string task = env::task_of(kit.options, *kit.model);
+  require(task == "none", "task \"{}\" is for agents, and the scene has none; {}", task, kRemedy);
+  const std::string& scene = draft.scene.built_in();
+  if (scene.empty()) return;
+  log(LogLevel::kWarning, format("scene \"{}\" has no agents, so nobody senses or acts in it; {}", scene, kRemedy));
 }
 
 }  // namespace
 
 env::Kit compile(const Draft& draft, const env::EnvOptions& options, const LogSink& scene_log, const LogSink& log) {
-  tell_of_nobody(draft, log ? log : scene_log);
   engine::ModelPtr model = scene::compile(draft.scene.compose(), scene_log);
   draft.scene.check_places(model, scene_log);
-  return around(draft, std::move(model), options, log);
+  env::Kit kit = around(draft, std::move(model), options, log);
+  check_agents(draft, kit, log ? log : scene_log);
+  return kit;
 }
 
 env::Kit around(const Draft& draft, engine::ModelPtr model, const env::EnvOptions& options, const LogSink& log) {

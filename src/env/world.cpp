@@ -52,8 +52,6 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
       random_(identity.seed),
       number_(identity.number) {
   adopt_scene_choices();
-  require(!agents.empty() || options_.task == "none",
-          "task \"{}\" is for agents, and the scene has none; mimo_scene_add_agents adds its infants", options_.task);
   body::read_stored_pose(physics_.model(), physics_.start());
   const TaskMaker make_task = task_maker(identity);
   render::Renderer* eyes = draws(agents, options_) ? &renderer() : nullptr;
@@ -129,11 +127,16 @@ void World::require_ready_to_reset() const {
   physics_.require_undisturbed();
 }
 
+std::string task_of(const EnvOptions& options, const mjModel& model) {
+  if (!options.task.empty()) return options.task;
+  if (options.custom_task) return kCustomTask;
+  const std::string own = engine::custom_text(model, names::kTask);
+  return own.empty() ? "none" : own;
+}
+
 // What the config leaves open, the scene's document may say.
 void World::adopt_scene_choices() {
-  if (options_.task.empty() && options_.custom_task) options_.task = kCustomTask;
-  if (options_.task.empty()) options_.task = engine::custom_text(model(), names::kTask);
-  if (options_.task.empty()) options_.task = "none";
+  options_.task = task_of(options_, model());
   if (options_.frame_skip > 0) return;
   const Span<const double> own = engine::custom_numbers(model(), names::kFrameSkip);
   options_.frame_skip =

@@ -32,6 +32,9 @@ struct Results {
   Span<double> terms{};          // of all agents, one after the other
 };
 
+// What is to be done in a world: as its config says, or else its own task, its document, or "none".
+std::string task_of(const EnvOptions& options, const mjModel& model);
+
 class World {
  public:
   World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, const EnvOptions& options,

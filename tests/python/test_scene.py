@@ -38,6 +38,7 @@ def test_nobody_does_a_task(caplog):
         mimo.World(mimo.Scene("reach"))
     mimo.World(mimo.Scene("benchmark"))
     assert ['scene "benchmark" has no agents' in message for message in caplog.messages] == [True]
+    caplog.clear()  # no test leaves warnings behind
 
 
 def test_furniture():

@@ -1,5 +1,6 @@
 using System;
 using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace Mimo
 {
@@ -133,7 +134,8 @@ namespace Mimo
 
         protected override bool ReleaseHandle()
         {
-            Native.mimo_recorder_close(handle);
+            // Within a step of another thread the library would leave it open.
+            for (var wait = 0; Native.mimo_recorder_close(handle) == (int)Status.Busy && wait < 1000; ++wait) Thread.Sleep(1);
             isGone = true;
             return true;
         }
