@@ -34,7 +34,7 @@ def test_what_starts_from_nothing(start):
 
 def test_nobody_does_a_task(caplog):
     """A task needs somebody; a room may be empty, which is told."""
-    with pytest.raises(mimo.ArgumentError, match='task "reach" is for agents.*add_agents adds its infants'):
+    with pytest.raises(mimo.ArgumentError, match=r'task "reach" is for agents.*add_agents adds its infants'):
         mimo.World(mimo.Scene("reach"))
     mimo.World(mimo.Scene("benchmark"))
     assert ['scene "benchmark" has no agents' in message for message in caplog.messages] == [True]
