@@ -26,6 +26,28 @@ def run(program):
     return told.stdout
 
 
+def test_python_ends_while_a_task_is_at_work():
+    """Nobody receives the step that was sent, and its task takes longer than Python's end."""
+    program = """
+        import time
+        import mimo
+
+        class Slow(mimo.WorldTask):
+            def evaluate(self, world, moment):
+                time.sleep(0.05)
+                return mimo.Judgement(1.0)
+
+        scene = mimo.Scene("free")
+        scene.add_agent(SMALL)
+        scene.set_task(Slow())
+        batch = mimo.Batch(scene, 4, threads=2)
+        batch.reset(seeds=[1, 2, 3, 4])
+        batch.send()
+        print("end")
+    """
+    assert run(program) == "end\n"
+
+
 @pytest.fixture
 def interrupted_send(monkeypatch):
     """Ctrl-C at the worst moment: the step was sent, and the line after it is not reached."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import ctypes
 import weakref
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
@@ -47,6 +48,17 @@ class Row:
         batch = self._batch()
         if batch is not None:
             last.seen = batch._last.times
+
+
+_working: "weakref.WeakSet[Batch]" = weakref.WeakSet()  # batches of which a step was sent
+
+
+@atexit.register
+def _wait_for_sent() -> None:
+    """Later a task in Python would end the batch's threads, and these the process, as Python has ended."""
+    for batch in list(_working):
+        if not batch.closed:
+            batch.drop_sent()
 
 
 class Batch(Access):
@@ -238,6 +250,7 @@ class Batch(Access):
         place = _place(target)
         # Kept before it is sent: an interrupt may come at any moment from here on.
         self._sent.append((given, target))
+        _working.add(self)
         status = LIB.mimo_batch_send(self._handle, *_place_of(given), *place, self._results_place)
         if status != 0:
             self._sent.pop()
