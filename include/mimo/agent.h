@@ -131,8 +131,8 @@ typedef struct mimo_agent_config {
   uint32_t struct_size;        /**< sizeof(mimo_agent_config), set by mimo_agent_config_init. */
   int32_t place;               /**< A MIMO_PLACE_ constant: which point of it lies at position. Default: the scene's. */
   const char *name;            /**< "" for a sole agent; else the prefix of its fields and model names, "anna/...". */
-  const char *body;            /**< "mitten", "fingers" (five fingers, a big toe); either with "-mirrored" after it: left
-                                    is the image of right. Or "scene": the body is part of the scene's MJCF. */
+  const char *body;            /**< "mitten", "fingers" (five fingers, a big toe); with "-mirrored" after it left is
+                                    the image of right. Or "scene": the body is part of the scene's MJCF. */
   double position[3];          /**< Of the point that place says, m, world frame; without meaning with PLACE_SCENE. */
   double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:

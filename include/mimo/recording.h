@@ -4,8 +4,8 @@
  * docs/guide/recordings.md has the file's layout. HDF5 1.10 or later is loaded when it is first needed: the one that
  * `hdf5` of a call names, else that of the environment variable MIMO_HDF5, else the system's. It stays for the
  * process. In programs with elevated rights (setuid and the like) MIMO_HDF5 does not count, and recordings are
- * MIMO_E_UNSUPPORTED where HDF5's own variables (HDF5_...) are set. HDF5 itself does not survive it when memory runs out
- * while it starts.
+ * MIMO_E_UNSUPPORTED where HDF5's own variables (HDF5_...) are set. HDF5 itself does not survive it when memory runs
+ * out while it starts.
  */
 #ifndef MIMO_RECORDING_H
 #define MIMO_RECORDING_H

@@ -77,8 +77,8 @@ typedef struct mimo_task_verdict {
  * gives the random numbers.
  * @param user as in mimo_task.
  * @param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction.
- * @return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message quotes
- *         the constant and what mimo_fail or the failed call said.
+ * @return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message
+ *         quotes the constant and what mimo_fail or the failed call said.
  *         It must not end its thread nor jump out. An exception that leaves it fails the reset with MIMO_E_TASK, in a
  *         batch only that world's, where program and library share an unwinder: on Linux and macOS. Elsewhere none
  *         may leave it; mimo.hpp catches all on every system.

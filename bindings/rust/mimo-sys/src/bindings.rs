@@ -922,8 +922,8 @@ pub struct mimo_agent_config {
     pub place: i32,
     #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "\"mitten\", \"fingers\" (five fingers, a big toe); either with \"-mirrored\" after it: left"]
-    #[doc = "is the image of right. Or \"scene\": the body is part of the scene's MJCF."]
+    #[doc = "\"mitten\", \"fingers\" (five fingers, a big toe); with \"-mirrored\" after it left is"]
+    #[doc = "the image of right. Or \"scene\": the body is part of the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
     #[doc = "Of the point that place says, m, world frame; without meaning with PLACE_SCENE."]
     pub position: [f64; 3usize],
@@ -2758,8 +2758,8 @@ pub struct mimo_task_verdict {
 #[doc = "gives the random numbers."]
 #[doc = "@param user as in mimo_task."]
 #[doc = "@param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction."]
-#[doc = "@return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message quotes"]
-#[doc = "        the constant and what mimo_fail or the failed call said."]
+#[doc = "@return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message"]
+#[doc = "        quotes the constant and what mimo_fail or the failed call said."]
 #[doc = "        It must not end its thread nor jump out. An exception that leaves it fails the reset with MIMO_E_TASK, in a"]
 #[doc = "        batch only that world's, where program and library share an unwinder: on Linux and macOS. Elsewhere none"]
 #[doc = "        may leave it; mimo.hpp catches all on every system."]
