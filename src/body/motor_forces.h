@@ -1,4 +1,4 @@
-// What the muscles of a joint are like that a motor turns: how hard they pull, and over which angles.
+// The muscles of a joint that a motor turns: how hard they pull, and over which angles.
 #pragma once
 
 #include <utility>

@@ -79,7 +79,7 @@ LAWS = {
         ("afferents do: 46.2 and {} (spikes/s)/g", "receptors/maculae.cpp"),
         ("The organs lie {} head radii beside the middle, {} below it", "receptors/labyrinth.cpp"),
         ("+ (f - g) / 1.54 s dv/dt = 0.173/s c - v / {} s + {} rad/s^2", "receptors/gravity_estimate.cpp"),
-        ("Of their {}/s, for canals of {} s", "receptors/gravity_estimate.cpp"),
+        ("found {}/s for canals of {} s", "receptors/gravity_estimate.cpp"),
     ],
     "guide/hearing.md": [
         ("Two bodies sound once in {} ms at most. Blows below", "senses/hearing/soundscape.cpp"),

@@ -20,7 +20,7 @@ struct Patch {
 receptors::Region region_of(const std::string& name);
 
 // An infant has as many afferents as anybody, at any age, wherever its skin has sensors: each part has a share by its
-// area and density at 18 months, which its sensors share equally. Of what is no infant only the densities are known.
+// area and density at 18 months, which its sensors share equally. Bodies that are no infants have the densities alone.
 std::vector<Patch> patches(const mjModel& model, const body::Body& body, const Skin& skin);
 
 }  // namespace mimo::senses::touch

@@ -1,11 +1,11 @@
-// What of a sliding contact is the solver's, not the skin's. MuJoCo's friction is soft: a surface that slides at w with
-// a friction of mu presses its contact apart at up to mu w, however small the steps and however well the solver has
-// converged. What slides therefore hops: it is in the air for up to 2 mu w / g, falls back, and presses so much harder
-// that the mean over a hop is the force with which it is held. Nothing of that is in the world.
+// Keeps from nerves how the solver makes sliding contacts hop. MuJoCo's friction is soft: a surface that slides at w
+// with a friction of mu presses its contact apart at up to mu w, however small the steps and however well the solver
+// has converged. What slides therefore hops: it is in the air for up to 2 mu w / g, falls back, and presses so much
+// harder that the mean over a hop is the force with which it is held. Nothing of that is in the world.
 //
 // A contact that slides and opens is not believed for as long as a hop may take: its sensors are told of the mean force
-// then, until it has stopped to hop. What opens without sliding, what stays open for longer, what comes down and what
-// changes without opening is told as it is.
+// then, until it has stopped hopping. Contacts that open without sliding, stay open for longer, close, or change
+// without opening are told as they are.
 #pragma once
 
 #include <cmath>
