@@ -21,7 +21,7 @@ void check_agents(const Draft& draft, const env::Kit& kit, const LogSink& log) {
   require(task == "none", "task \"{}\" is for agents, and the scene has none; {}", task, kRemedy);
   const std::string& scene = draft.scene.built_in();
   if (scene.empty()) return;
-  log(LogLevel::kWarning, format("scene \"{}\" has no agents, so nobody senses or acts in it; {}", scene, kRemedy));
+  log(LogLevel::kInfo, format("scene \"{}\" has no agents, so nobody senses or acts in it; {}", scene, kRemedy));
 }
 
 }  // namespace

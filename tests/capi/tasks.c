@@ -214,7 +214,7 @@ static void check_overrides(void) {
 }
 
 static void keep_text(void* user, const mimo_log_record* record) {
-  if (record->level == MIMO_LOG_WARNING) snprintf(user, 200, "%s", record->text);
+  if (record->level == MIMO_LOG_INFO) snprintf(user, 200, "%s", record->text);
 }
 
 /* Nobody does a task in a scene without agents. A room may be empty, which the log tells of a built-in one. */
