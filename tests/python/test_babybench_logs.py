@@ -130,6 +130,10 @@ def test_deep_logs_are_read():
         ({"steps": float("nan")}, "steps of episode 1 is nan, expected a count"),
         ({"steps": 1, "right_eye_right_hand": -1}, "right_eye_right_hand of episode 1 is -1, expected a count"),
         ({"steps": 1, "right_hand_touches": 7}, "right_hand_touches of episode 1 is 7, expected numbers of geoms"),
+        (
+            {"steps": 1, "right_hand_touches": np.array(7)},
+            "right_hand_touches of episode 1 is .*7.*, expected numbers of geoms",
+        ),
         ({"steps": 1, "right_hand_touches": ["x"]}, r"right_hand_touches of episode 1 is \['x'\], expected numbers"),
     ],
 )

@@ -1,6 +1,7 @@
 """The viewer's door: only who has the address comes in, and nothing that comes from there ends anything."""
 
 import math
+import socket
 import time
 import urllib.error
 import urllib.request
@@ -59,6 +60,9 @@ def test_the_page_needs_the_token(viewer):
     assert status_of(viewer, f"/{token}/") == status_of(viewer, f"/{token}") == 200
     for path in ("/", "/index.html", f"/{token[:-1]}/", f"/{token}x/", f"/?token={token}", "/..%2f", f"/{token}/../"):
         assert status_of(viewer, path) == 403, path
+    with socket.create_connection(tuple(viewer.url.split("/")[2].split(":"))) as line:  # a path that is no ASCII
+        line.sendall(b"GET /\xff HTTP/1.1\r\nHost: a\r\n\r\n")
+        assert line.recv(100).startswith(b"HTTP/1.1 403")
     page = urllib.request.urlopen(viewer.url)
     assert b"<title>MIMo</title>" in page.read()
     assert page.headers["Referrer-Policy"] == "no-referrer"
@@ -66,7 +70,9 @@ def test_the_page_needs_the_token(viewer):
         assert other.url.split("/")[3] != token
 
 
-@pytest.mark.parametrize("origin", ["http://evil.example", "null", "http://127.0.0.1:1", "https://evil.example:80", ""])
+@pytest.mark.parametrize(
+    "origin", ["http://evil.example", "null", "http://127.0.0.1:1", "https://evil.example:80", "http://[bad", ""]
+)
 def test_other_pages_do_not_come_in(viewer, origin):
     for path in (None, "", "wrong"):
         with pytest.raises(exceptions.InvalidStatus, match="403"):
@@ -157,6 +163,12 @@ def wrong_messages(viewer):
         {**drag, "position": [0, 0]},
         {**CAMERA, "position": [math.inf, 0, 0]},
         {**CAMERA, "image_width": "wide"},
+        {**CAMERA, 1: 2},
+        {**CAMERA, b"fov": 1},
+        {**CAMERA, "nothing_of_it": 1},
+        {"type": CAMERA["type"]},
+        {**CAMERA, "fov": None},
+        {**CAMERA, "image_height": 0},
     ):
         yield msgpack.encode(message)
 

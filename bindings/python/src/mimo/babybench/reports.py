@@ -31,7 +31,8 @@ def entries_of(path: Path) -> Entries:
                 )
         for key in TOUCH_KEYS:
             geoms = entry.get(key, ())
-            if not isinstance(geoms, (list, tuple, np.ndarray)) or not all(map(_is_count, geoms)):
+            listed = isinstance(geoms, (list, tuple)) or (isinstance(geoms, np.ndarray) and geoms.ndim == 1)
+            if not listed or not all(map(_is_count, geoms)):
                 raise ValueError(
                     f"{path} is no log: {key} of episode {number} is {short(geoms)}, expected numbers of geoms"
                 )

@@ -20,6 +20,8 @@ from .front import front_page
 FARTHEST = 1e5  # m, and what else a page measures
 LONGEST_TEXT = 1000
 TEXTS = ("type", "name", "owner", "phase", "button", "modifier")
+ABSENT = ("instance_index", "modifier")  # what may be null
+SIZES = ("fov", "near", "far", "image_height", "image_width")
 VECTORS = {
     "wxyz": 4,
     "position": 3,
@@ -56,7 +58,7 @@ class Door:
     def answer(self, connection: Any, request: Any) -> Any:
         """What a request gets; None: it becomes a connection."""
         path = request.path.partition("?")[0].strip("/")
-        if not hmac.compare_digest(path.encode(), self.token.encode()):
+        if not hmac.compare_digest(path.encode(errors="replace"), self.token.encode()):
             return _response(http.HTTPStatus.FORBIDDEN, "text/plain", TURNED_AWAY)
         if request.headers.get("Upgrade", "").lower() != "websocket":
             return _response(http.HTTPStatus.OK, "text/html; charset=utf-8", self._page)
@@ -78,7 +80,7 @@ class Door:
             return False
         if message["type"] == "GuiUpdateMessage":
             return self._fits(message)
-        return all(_plain(name, value) for name, value in message.items())
+        return all(isinstance(name, str) and _plain(name, value) for name, value in message.items()) and _whole(raw)
 
     def _fits(self, message: Dict[str, Any]) -> bool:
         updates, uuid = message.get("updates"), message.get("uuid")
@@ -145,9 +147,22 @@ def _plain(name: str, value: Any) -> bool:
     """Whether a message's part is small, and its numbers are finite."""
     if name in VECTORS:
         return isinstance(value, list) and len(value) == VECTORS[name] and all(map(_finite, value))
+    if value is None:
+        return name in ABSENT
     if name in TEXTS:
-        return value is None or (isinstance(value, str) and len(value) < LONGEST_TEXT)
-    return value is None or _finite(value)
+        return isinstance(value, str) and len(value) < LONGEST_TEXT
+    return _finite(value) and (name not in SIZES or value > 0)
+
+
+def _whole(raw: Any) -> bool:
+    """Whether a message has all the parts that viser takes, and no others: a TypeError there ends the connection."""
+    from viser._messages import Message
+
+    try:
+        Message.deserialize(raw)
+    except (KeyError, TypeError, ValueError):
+        return False
+    return True
 
 
 def _finite(value: Any) -> bool:
@@ -159,7 +174,11 @@ def _own(origins: Any, hosts: Any) -> bool:
     """Whether a connection comes from this page, or from no page at all."""
     if len(origins) == 0:
         return True
-    return len(origins) == len(hosts) == 1 and urlsplit(origins[0]).netloc.lower() == hosts[0].lower()
+    try:
+        places = [urlsplit(origin).netloc.lower() for origin in origins]
+    except ValueError:
+        return False  # no address at all
+    return len(hosts) == 1 and places == [hosts[0].lower()]
 
 
 def _response(status: http.HTTPStatus, kind: str, body: bytes) -> Any:
