@@ -17,7 +17,8 @@ extern "C" {
  * It never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the
  * batch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have
  * its layout.
- * Any number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does.
+ * Any number of threads may ask it, also while its owner steps or becomes of another age: each answer is of one age.
+ * Its strings and shapes last as long as it does.
  */
 typedef struct mimo_layout mimo_layout;
 

@@ -64,9 +64,9 @@ void Batch::add_world(const env::KitPtr& kit, std::size_t renderers) {
   worlds_.push_back(make_world(i, *stock));
   if (!first) return;
   env::Description own = describe(*worlds_[i]);
-  if (i == 0) description_ = own;
+  if (i == 0) description_.begin_as(own);
   check_like_the_others(i, own);
-  widen(description_, own);
+  description_.widen(own);
 }
 
 std::unique_ptr<env::World> Batch::make_world(std::size_t world, Stock& stock) {
@@ -87,7 +87,7 @@ StockPtr Batch::stock_of(const env::KitPtr& kit, std::size_t renderers) {
 
 void Batch::check_like_the_others(std::size_t world, const env::Description& description) const {
   try {
-    check_alike(description_, description);
+    check_alike(*description_.read(), description);
   } catch (const Error& error) {
     fail(error.status(), "world {}: {}", world, error.what());
   }
@@ -123,7 +123,7 @@ std::vector<StockPtr> Batch::stocks_for(const Kits& kits, const std::uint8_t* ma
     trials.push_back(describe(*make_world(i, *next[i])));
     check_like_the_others(i, trials.back());
   }
-  for (const env::Description& trial : trials) widen(description_, trial);
+  for (const env::Description& trial : trials) description_.widen(trial);
   return next;
 }
 
@@ -137,9 +137,9 @@ void Batch::reset_world(std::size_t world, const env::KitPtr& kit, const std::ui
   const env::Description own = describe(*successor);
   check_like_the_others(world, own);
   env::take_over(worlds_[world], std::move(successor), seed, block);
+  description_.widen(own);
   const std::lock_guard lock(mutex_);
   stocks_[world] = std::move(next);
-  widen(description_, own);
 }
 
 void Batch::step(const float* actions, const Output& output) {

@@ -43,7 +43,7 @@ class Batch : private Job {
   const env::KitPtr& kit(std::size_t i) const { return stocks_[i]->kit; }
   // Of all worlds: names and shapes that they have in common, receptors of the first one as it was made, the widest
   // bounds of all that ever were.
-  const env::Description& description() const { return description_; }
+  const env::LiveDescription& description() const { return description_; }
   const Report& report(std::size_t i) const { return reports_[i]; }
 
   // Throws while the batch is at work, except for the thread that is on this very world.
@@ -115,8 +115,8 @@ class Batch : private Job {
   std::vector<StockPtr> stocks_;
   std::vector<Mailbox> mailboxes_;
   std::vector<std::unique_ptr<env::World>> worlds_;
-  env::Description description_;
-  std::mutex mutex_;  // of stocks and bounds, where worlds change by themselves
+  env::LiveDescription description_;
+  std::mutex mutex_;  // of stocks, where worlds change by themselves
   std::vector<Report> reports_;
   std::vector<env::LoadReport> loaded_;  // by the worlds, in the last load
   Pool pool_;

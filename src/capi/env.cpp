@@ -111,10 +111,10 @@ void EnvObject::become(const env::KitPtr& next, const std::uint64_t* seed, std::
   if (batch != nullptr) return batch->reset_world(number, next, seed, block);
   auto successor = env::make_world(*next, next->services, identity());
   env::Description changed = env::describe(*successor);
-  check_alike(description, changed);
+  check_alike(*description.read(), changed);
   env::take_over(owned, std::move(successor), seed, block);
   own_kit = next;
-  adopt(description, std::move(changed));
+  description.adopt(std::move(changed));
 }
 
 namespace {

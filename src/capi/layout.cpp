@@ -9,7 +9,7 @@
 
 namespace mimo::capi {
 
-OwnLayout own_layout(const env::Description& description) {
+OwnLayout own_layout(const env::LiveDescription& description) {
   return OwnLayout(wrap<mimo_layout>(std::make_unique<LayoutObject>(LayoutObject{description})));
 }
 
@@ -20,7 +20,7 @@ void RetireLayout::operator()(mimo_layout* layout) const noexcept {
 
 namespace {
 
-const env::Description& description_of(const mimo_layout* layout) { return open(layout).description; }
+env::LiveDescription::Reading description_of(const mimo_layout* layout) { return open(layout).description.read(); }
 
 const observation::Field& field_at(const env::Description& description, std::size_t index, const char* argument) {
   const auto& fields = description.fields;
@@ -78,36 +78,37 @@ extern "C" {
 
 mimo_status mimo_layout_describe(const mimo_layout* layout, mimo_layout_info* info) noexcept {
   return guard(layout, [&] {
-    const env::Description& description = description_of(layout);
+    const auto description = description_of(layout);
     mimo_layout_info ours{};
-    ours.block_bytes = description.block_bytes;
-    ours.fields = description.fields.size();
-    ours.actions = description.actions.size();
-    ours.agents = description.agents;
-    ours.terms = description.terms.size();
+    ours.block_bytes = description->block_bytes;
+    ours.fields = description->fields.size();
+    ours.actions = description->actions.size();
+    ours.agents = description->agents;
+    ours.terms = description->terms.size();
     write_described(info, ours, "info");
   });
 }
 
 mimo_status mimo_layout_field(const mimo_layout* layout, size_t index, mimo_field* field) noexcept {
   return guard(layout, [&] {
-    const env::Description& description = description_of(layout);
-    const observation::Field& inside = field_at(description, index, "index");
-    write_described(field, described(inside, description.times[index], description.period), "field");
+    const auto description = description_of(layout);
+    const observation::Field& inside = field_at(*description, index, "index");
+    write_described(field, described(inside, description->times[index], description->period), "field");
   });
 }
 
 mimo_status mimo_layout_find(const mimo_layout* layout, const char* name, size_t* index) noexcept {
   return guard(layout, [&] {
-    const env::Description& description = description_of(layout);
+    const auto description = description_of(layout);
     require(name != nullptr, "name is NULL");
-    out(index, "index") = find_field(description.fields, name);
+    out(index, "index") = find_field(description->fields, name);
   });
 }
 
 mimo_status mimo_layout_label(const mimo_layout* layout, size_t field, size_t element, const char** label) noexcept {
   return guard(layout, [&] {
-    const observation::Field& inside = field_at(description_of(layout), field, "field");
+    const auto description = description_of(layout);
+    const observation::Field& inside = field_at(*description, field, "field");
     require(element < inside.count(), "element is {}, but {} has {} elements", element, inside.name, inside.count());
     out(label, "label") = inside.label(element);
   });
@@ -115,17 +116,18 @@ mimo_status mimo_layout_label(const mimo_layout* layout, size_t field, size_t el
 
 mimo_status mimo_layout_delays(const mimo_layout* layout, size_t field, double* seconds, size_t count) noexcept {
   return guard(layout, [&] {
-    const env::Description& description = description_of(layout);
-    const observation::Field& inside = field_at(description, field, "field");
+    const auto description = description_of(layout);
+    const observation::Field& inside = field_at(*description, field, "field");
     const Span<double> to = array(seconds, count, "seconds");
     check_exact(count, inside.count(), "count", ", the elements of " + inside.name);
-    description.delays[field].tell(to);
+    description->delays[field].tell(to);
   });
 }
 
 mimo_status mimo_layout_directions(const mimo_layout* layout, size_t field, float* directions, size_t count) noexcept {
   return guard(layout, [&] {
-    const observation::Field& picture = field_at(description_of(layout), field, "field");
+    const auto description = description_of(layout);
+    const observation::Field& picture = field_at(*description, field, "field");
     require(picture.is_picture(), "field {} is {}, expected a picture", field, picture.name);
     const Span<float> to = array(directions, count, "directions");
     const std::size_t width = picture.shape[1], expected = picture.shape[0] * width * 3;
@@ -142,7 +144,8 @@ mimo_status mimo_layout_directions(const mimo_layout* layout, size_t field, floa
 mimo_status mimo_layout_receptor_width(const mimo_layout* layout, size_t field, int32_t quantity,
                                        size_t* value_count) noexcept {
   return guard(layout, [&] {
-    const observation::Field& inside = field_at(description_of(layout), field, "field");
+    const auto description = description_of(layout);
+    const observation::Field& inside = field_at(*description, field, "field");
     const std::size_t width = observation::width(receptor_quantity_from(quantity));
     out(value_count, "value_count") = inside.receptors.size() * width;
   });
@@ -151,7 +154,8 @@ mimo_status mimo_layout_receptor_width(const mimo_layout* layout, size_t field, 
 mimo_status mimo_layout_receptors(const mimo_layout* layout, size_t field, int32_t quantity, double* values,
                                   size_t value_count) noexcept {
   return guard(layout, [&] {
-    const observation::Field& inside = field_at(description_of(layout), field, "field");
+    const auto description = description_of(layout);
+    const observation::Field& inside = field_at(*description, field, "field");
     const observation::ReceptorQuantity what = receptor_quantity_from(quantity);
     const Span<double> to = array(values, value_count, "values");
     check_exact(value_count, inside.receptors.size() * observation::width(what), "value_count");
@@ -161,7 +165,8 @@ mimo_status mimo_layout_receptors(const mimo_layout* layout, size_t field, int32
 
 mimo_status mimo_layout_action(const mimo_layout* layout, size_t index, mimo_action* action) noexcept {
   return guard(layout, [&] {
-    const env::Action& inside = part_at(description_of(layout).actions, index, "actions");
+    const auto description = description_of(layout);
+    const env::Action& inside = part_at(description->actions, index, "actions");
     mimo_action ours{};
     ours.name = inside.name.c_str();
     ours.unit = inside.unit;
@@ -174,7 +179,8 @@ mimo_status mimo_layout_action(const mimo_layout* layout, size_t index, mimo_act
 
 mimo_status mimo_layout_term(const mimo_layout* layout, size_t index, mimo_term* term) noexcept {
   return guard(layout, [&] {
-    const env::RewardTerm& inside = part_at(description_of(layout).terms, index, "terms");
+    const auto description = description_of(layout);
+    const env::RewardTerm& inside = part_at(description->terms, index, "terms");
     mimo_term ours{};
     ours.name = inside.name.c_str();
     ours.agent = inside.agent;

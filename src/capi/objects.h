@@ -25,7 +25,7 @@ struct SceneObject {
 };
 
 struct LayoutObject {
-  const env::Description& description;
+  const env::LiveDescription& description;
 };
 
 // A layout's handle belongs to what it describes: no call destroys it, and it is retired when that goes.
@@ -33,7 +33,7 @@ struct RetireLayout {
   void operator()(mimo_layout* layout) const noexcept;
 };
 using OwnLayout = std::unique_ptr<mimo_layout, RetireLayout>;
-OwnLayout own_layout(const env::Description& description);
+OwnLayout own_layout(const env::LiveDescription& description);
 
 struct BatchObject;
 
@@ -56,7 +56,7 @@ struct EnvObject {
   // Of a world of its own.
   env::KitPtr own_kit;
   std::unique_ptr<env::World> owned;
-  env::Description description;
+  env::LiveDescription description;
   OwnLayout own_layout;
   // Of any.
   const mimo_layout* layout;
@@ -109,7 +109,7 @@ struct SensesObject {
       : attached(kit, step), description(describe(attached)), layout(own_layout(description)) {}
 
   env::Attached attached;
-  env::Description description;
+  env::LiveDescription description;
   OwnLayout layout;
   env::LoadReport loaded;
 };
@@ -135,7 +135,7 @@ inline void require_access(const BatchObject&) {}  // the batch itself knows whi
 inline void require_access(const SensesObject&) {}
 inline void require_access(const RecorderObject&) {}
 inline void require_access(const RecordingObject&) {}
-inline void require_access(const LayoutObject&) {}  // it never changes
+inline void require_access(const LayoutObject&) {}  // any thread may ask it at any time
 
 // Whether this thread is at work for a batch: on one of its worlds, or for a task. Only the address is looked at, so
 // the object may be another thread's.

@@ -100,20 +100,22 @@ void check_alike(const Description& expected, const Description& other) {
   check_count("terms of rewards", expected.terms.size(), other.terms.size());
 }
 
-void widen(Description& description, const Description& other) noexcept {
-  widen_bounds(description.fields, other.fields);
-  widen_bounds(description.actions, other.actions);
+void LiveDescription::widen(const Description& other) noexcept {
+  const std::lock_guard lock(mutex_);
+  widen_bounds(description_.fields, other.fields);
+  widen_bounds(description_.actions, other.actions);
 }
 
-void adopt(Description& description, Description&& other) noexcept {
-  take_bounds(description.fields, other.fields);
-  take_bounds(description.actions, other.actions);
-  for (std::size_t i = 0; i < description.fields.size(); ++i) {
-    description.fields[i].receptors = other.fields[i].receptors;
+void LiveDescription::adopt(Description&& other) noexcept {
+  const std::lock_guard lock(mutex_);
+  take_bounds(description_.fields, other.fields);
+  take_bounds(description_.actions, other.actions);
+  for (std::size_t i = 0; i < description_.fields.size(); ++i) {
+    description_.fields[i].receptors = other.fields[i].receptors;
   }
-  description.skins = std::move(other.skins);
-  description.times = std::move(other.times);
-  description.delays = std::move(other.delays);
+  description_.skins = std::move(other.skins);
+  description_.times = std::move(other.times);
+  description_.delays = std::move(other.delays);
 }
 
 }  // namespace mimo::env

@@ -1243,7 +1243,7 @@ extern "C" {
     #[doc = "\"ceramic\", \"cardboard\", \"concrete\", \"carpet\". Static string."]
     pub fn mimo_material_name(index: usize) -> *const std::os::raw::c_char;
 }
-#[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps. Its strings and shapes last as long as it does."]
+#[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps or becomes of another age: each answer is of one age.\nIts strings and shapes last as long as it does."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_layout {
