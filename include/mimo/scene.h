@@ -239,7 +239,7 @@ MIMO_API mimo_status mimo_scene_xml(const mimo_scene *scene, char *text, size_t 
  * textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere.
  * @param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten.
  * Errors: MIMO_E_FILE for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for one that
- *         cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then.
+ *         cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then, no folder either.
  */
 MIMO_API mimo_status mimo_scene_save(const mimo_scene *scene, const char *folder) MIMO_NOEXCEPT;
 

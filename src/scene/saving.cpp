@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/fail.h"
+#include "base/new_file.h"
 #include "scene/composition.h"
 #include "scene/files.h"
 #include "scene/names.h"
@@ -84,19 +85,61 @@ std::vector<File> files_of(const pugi::xml_document& document, const fs::path& f
   return files;
 }
 
-void write(const File& file) {
-  std::ofstream stream(file.path, std::ios::binary);
-  stream.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
-  stream.close();
-  if (stream) return;
-  fail(Status::kFile, "folder: file {} cannot be written: {}", file.path.string(),
-       std::generic_category().message(errno));
+[[noreturn]] void fail_to_write(const File& file, const std::error_code& why) {
+  fail(Status::kFile, "folder: file {} cannot be written: {}", file.path.string(), why.message());
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) fail(Status::kFile, "folder: {} cannot be made: {}", folder.string(), error.message());
+// What is made goes again, unless all of it could be made.
+class Made {
+ public:
+  Made() = default;
+  ~Made() {
+    std::error_code ignored;
+    while (!paths_.empty()) {
+      fs::remove(paths_.back(), ignored);  // of folders only empty ones
+      paths_.pop_back();
+    }
+  }
+  Made(const Made&) = delete;
+  Made& operator=(const Made&) = delete;
+
+  void folder(const fs::path& folder) {
+    std::error_code error;
+    if (fs::is_directory(folder, error)) return;
+    if (folder.has_parent_path() && folder.parent_path() != folder) this->folder(folder.parent_path());
+    if (fs::create_directory(folder, error)) paths_.push_back(folder);
+    if (error) fail(Status::kFile, "folder: {} cannot be made: {}", folder.string(), error.message());
+  }
+  // Beside its place; returns where.
+  fs::path write(const File& file) {
+    paths_.push_back(beside(file.path));
+    std::ofstream stream(paths_.back(), std::ios::binary);
+    stream.write(file.bytes.data(), static_cast<std::streamsize>(file.bytes.size()));
+    stream.close();
+    if (!stream) fail_to_write(file, {errno, std::generic_category()});
+    return paths_.back();
+  }
+  void name(const fs::path& written, const File& file) {
+    fs::path name = file.path;
+    paths_.reserve(paths_.size() + 1);  // as there is no way back from a name
+    const std::error_code error = move_to_free(written, name);
+    if (error) fail_to_write(file, error);
+    paths_.push_back(std::move(name));
+  }
+  void keep() { paths_.clear(); }
+
+ private:
+  std::vector<fs::path> paths_;
+};
+
+// The document comes last, so that where there is one, all that it refers to is there as well.
+void write(const std::vector<File>& files, const fs::path& folder) {
+  Made made;
+  made.folder(folder / "assets");
+  std::vector<fs::path> written;
+  for (const File& file : files) written.push_back(made.write(file));
+  for (std::size_t i = 0; i < files.size(); ++i) made.name(written[i], files[i]);
+  made.keep();
 }
 
 }  // namespace
@@ -115,18 +158,7 @@ void save(const pugi::xml_document& document, const std::string& folder) {
          file.path.string());
   }
   if (missing.empty()) return;
-  make_folder(fs::path(folder) / "assets");
-  std::size_t begun = 0;
-  try {
-    for (const File& file : missing) {
-      ++begun;
-      write(file);
-    }
-  } catch (...) {
-    std::error_code ignored;
-    for (std::size_t i = 0; i < begun; ++i) fs::remove(missing[i].path, ignored);
-    throw;
-  }
+  write(missing, folder);
 }
 
 }  // namespace mimo::scene

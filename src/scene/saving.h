@@ -7,8 +7,9 @@
 namespace mimo::scene {
 
 // Writes FOLDER/scene.xml and copies of all files that it refers to, FOLDER/assets/..., under plain names. Makes the
-// folder where it is not there. Throws Status::kInvalidArgument for a file that is there with other content, or that
-// cannot be written, and kNotFound for one that cannot be read; nothing has been written then.
+// folder where it is not there. Throws Status::kFile for a file that is there with other content, or that cannot be
+// written, and kNotFound for one that cannot be read; nothing has been written then. A process that is killed leaves
+// whole files, scene.xml last.
 void save(const pugi::xml_document& document, const std::string& folder);
 
 }  // namespace mimo::scene

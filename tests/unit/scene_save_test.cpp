@@ -1,12 +1,16 @@
 // Scenes that are written to disk: MuJoCo alone makes of them what we do.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
+#include <sys/resource.h>
 
 #include <array>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
+#include <set>
 #include <string>
 
 #include "engine/compat.h"
@@ -102,6 +106,64 @@ TEST_F(SceneSave, NothingIsOverwritten) {
   const std::string file = folder.write("file", "");
   expect_error(Status::kFile, "cannot be made", [&] { scene.save(file); });
   expect_error(Status::kFile, "cannot be made", [&] { scene.save(file + "/below"); });
+}
+
+// All files below a folder, and folders, by their paths, with what they hold.
+std::map<std::string, std::string> content_of(const std::string& folder) {
+  std::map<std::string, std::string> content;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    content[entry.path().string()] = entry.is_regular_file() ? read(entry.path().string()) : "a folder";
+  }
+  return content;
+}
+
+// Files that may not grow further than that, as on a full disk.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+// One file after the other is the first for which there is no room, the longest at last.
+TEST_F(SceneSave, AFullDiskLeavesNothing) {
+  const Folder folder, elsewhere, half;
+  scene::Scene scene(named("free"));
+  scene.save(half.path("s"));  // a part of what follows
+  fs::remove(half.path("s/scene.xml"));
+  const auto before = content_of(half.path(""));
+  scene.add_body("mitten", "", nullptr);
+  scene.save(elsewhere.path("s"));
+  std::set<std::size_t> sizes;
+  for (const auto& entry : fs::recursive_directory_iterator(elsewhere.path("s"))) {
+    if (entry.is_regular_file()) sizes.insert(fs::file_size(entry));
+  }
+  ASSERT_GE(sizes.size(), 3u);
+  for (const std::size_t size : sizes) {
+    SCOPED_TRACE(size);
+    {
+      const SmallDisk disk(size - 1);
+      expect_error(Status::kFile, "cannot be written", [&] { scene.save(folder.path("a/b")); });
+    }
+    EXPECT_TRUE(content_of(folder.path("")).empty());
+  }
+  {
+    const SmallDisk disk(*sizes.rbegin() - 1);
+    expect_error(Status::kFile, "cannot be written", [&] { scene.save(half.path("s")); });
+  }
+  EXPECT_EQ(content_of(half.path("")), before);
+  scene.save(half.path("s"));  // and now there is room
+  expect_same(*plain_mujoco(half.path("s/scene.xml")), *plain_mujoco(elsewhere.path("s/scene.xml")));
 }
 
 TEST_F(SceneSave, AMissingFileIsNamed) {
