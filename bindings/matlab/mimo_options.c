@@ -127,6 +127,7 @@ const option mimo_recorder_options[] = {
     OPTION(mimo_recorder_config, configuration, kText),
     OPTION(mimo_recorder_config, seed, kWide),
     OPTION(mimo_recorder_config, hdf5, kText),
+    OPTION(mimo_recorder_config, replace, kUnsigned),
     {NULL, kText, 0},
 };
 

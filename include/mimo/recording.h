@@ -35,6 +35,9 @@ typedef struct mimo_recorder_config {
   const char *configuration; /**< What the program wants to find again: a text, best JSON. NULL (default): "". */
   uint64_t seed;             /**< For people: the attribute `seed`. Replays do not need it. Default 0. */
   const char *hdf5;          /**< Path of the HDF5 library; NULL (default): see above. */
+  uint32_t replace;          /**< 1: a whole recording that is there, and that no program is using, is replaced.
+                                  0 (default): it stays, and the recorder is refused. */
+  uint32_t reserved;         /**< 0. */
 } mimo_recorder_config;
 
 /**
@@ -52,16 +55,17 @@ MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, siz
  *
  * A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to
  * the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened.
- * Nobody else's file is written over: a whole recording that no program is using is replaced, once the new one has
- * been made beside it, and so is an empty file. What else is there stays, as MIMO_E_FILE. While it is recorded, no
- * other recorder takes the file, in this process or another one; where somebody else moves, removes, replaces or cuts
- * it all the same, the recording ends as on a full disk.
+ * Nothing is written over but an empty file and, where `replace` of the config is 1, a whole recording that no program
+ * is using; that is replaced once the new one has been made beside it. What else is there stays, as MIMO_E_FILE. While
+ * it is recorded, no other recorder takes the file, in this process or another one; where somebody else moves, removes,
+ * replaces or cuts it all the same, the recording ends as on a full disk.
  * @param path     of the file.
  * @param config   NULL means defaults.
  * @param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
  * Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
  *         MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
- *         for a file that cannot be made, and for one that is there and is no whole recording or is in use;
+ *         for a file that cannot be made, and for one that is there and is not to be replaced, is no whole recording
+ *         or is in use;
  *         MIMO_E_SIMULATION for a world that has failed.
  */
 MIMO_API mimo_status mimo_recorder_open(mimo_env *env, const char *path, const mimo_recorder_config *config,

@@ -51,10 +51,13 @@ recording::Options options_from(const char* path, const mimo_recorder_config& co
           "state_seconds is {}, expected 0.001 to 1000000", config.state_seconds);
   require(config.flush_seconds >= 0 && config.flush_seconds <= 1e6, "flush_seconds is {}, expected 0 to 1000000",
           config.flush_seconds);
+  check_flag(config.replace, "replace");
+  check_reserved(config.reserved, "reserved");
   options.keep = text(config.keep);
   options.state_seconds = config.state_seconds;
   options.flush_seconds = config.flush_seconds;
   options.compression = config.compression;
+  options.replace = config.replace != 0;
   options.configuration = text(config.configuration);
   options.seed = std::to_string(config.seed);
   options.build = this_build();

@@ -22,6 +22,7 @@ CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(0, 9).description(""))
       ->capture_default_str();
+  command.add_flag("--replace", options.replace, "Replace a whole recording that is there. Default: it is an error");
   return command.add_option("--out", options.out, "The recording")->type_name("FILE.h5");
 }
 
@@ -34,6 +35,7 @@ mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, con
   config.compression = options.compression;
   config.configuration = configuration.c_str();
   config.seed = seed;
+  config.replace = options.replace ? 1 : 0;
   return mimo::Recorder(env, options.out, config);
 }
 

@@ -14,6 +14,7 @@ struct RecorderOptions {
   double state_every = 1;  // s of simulated time between kept states
   double flush_every = 1;  // s of real time
   unsigned compression = 4;
+  bool replace = false;  // a recording that is there
 };
 
 CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options);  // returns that of the file

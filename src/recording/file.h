@@ -25,7 +25,7 @@ constexpr char kTime[] = "time", kActions[] = "actions", kRewards[] = "rewards",
 // take their turn with HDF5 by themselves.
 class Writer {
  public:
-  Writer(const std::string& path, unsigned compression);
+  Writer(const std::string& path, bool replace, unsigned compression);
   ~Writer();  // leaves the file as it is on the disk where it was not closed; one that was not started goes
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;

@@ -3,11 +3,10 @@
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <random>
 #include <system_error>
 
 #include "base/fail.h"
-#include "base/format.h"
+#include "base/new_file.h"
 #include "recording/file.h"
 
 namespace fs = std::filesystem;
@@ -17,16 +16,10 @@ namespace {
 
 constexpr std::size_t kRoom = 256 * 1024;  // of a file before its first step, and more
 
-// In the same folder, so that it only needs another name in the end.
-std::string beside(const std::string& name) {
-  std::random_device random;
-  return (fs::u8path(name).parent_path() / format(".mimo-{:08x}{:08x}.h5", random(), random())).u8string();
-}
-
 }  // namespace
 
 // A host may change its working directory.
-Place::Place(const std::string& path) : given_(path), name_(fs::absolute(fs::u8path(path)).u8string()) {
+Place::Place(const std::string& path, bool replace) : given_(path), name_(fs::absolute(fs::u8path(path)).u8string()) {
   std::error_code unknown;
   const fs::file_status there = fs::status(fs::u8path(name_), unknown);
   if (fs::exists(there)) {
@@ -34,11 +27,11 @@ Place::Place(const std::string& path) : given_(path), name_(fs::absolute(fs::u8p
       fail(Status::kFile, "cannot write {}: it is {}", path, fs::is_directory(there) ? "a folder" : "no plain file");
     }
     name_ = fs::canonical(fs::u8path(name_)).u8string();  // what a link leads to
-    require_replaceable();
+    require_replaceable(replace);
     replaced_.emplace(name_);
     if (!replaced_->granted()) fail_used();
   }
-  file_ = kNamesOpenFiles ? beside(name_) : name_;
+  file_ = kNamesOpenFiles ? beside(fs::u8path(name_), ".h5").u8string() : name_;
   if (!kNamesOpenFiles && replaced_) {
     replaced_.reset();
     fs::remove(fs::u8path(name_), unknown);
@@ -51,7 +44,7 @@ Place::~Place() {
 }
 
 // An empty file is what makers of temporary names leave.
-void Place::require_replaceable() const {
+void Place::require_replaceable(bool replace) const {
   if (!Claim(name_).granted()) fail_used();
   std::error_code unknown;
   if (fs::file_size(fs::u8path(name_), unknown) == 0) return;
@@ -61,6 +54,8 @@ void Place::require_replaceable() const {
     if (error.status() == Status::kOutOfMemory) throw;
     fail(Status::kFile, "cannot write {}: a file is there that is no whole recording, and is not overwritten", given_);
   }
+  if (!replace)
+    fail(Status::kFile, "cannot write {}: a recording is there, which is replaced only where `replace` is set", given_);
 }
 
 void Place::fail_used() const {

@@ -11,8 +11,9 @@ namespace mimo::recording {
 
 class Place {
  public:
-  // Throws Status::kFile where something is there that is no recording, or that somebody is using.
-  explicit Place(const std::string& path);
+  // Throws Status::kFile where something is there that is no recording, that somebody is using, or that is not to be
+  // replaced.
+  Place(const std::string& path, bool replace);
   ~Place();  // a file that was not settled goes
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
@@ -29,7 +30,7 @@ class Place {
   void written(int file);
 
  private:
-  void require_replaceable() const;
+  void require_replaceable(bool replace) const;
   [[noreturn]] void fail_used() const;
 
   std::string given_, name_, file_;

@@ -104,7 +104,7 @@ Recorder::Recorder(env::World& world, const Options& options)
       body_(growths_of(world)) {
   const std::vector<std::size_t> kept = choose(world.layout(), options.keep);
   save(world, state_);
-  file_ = std::make_unique<Writer>(options.path, options.compression);
+  file_ = std::make_unique<Writer>(options.path, options.replace, options.compression);
   describe(world, options);
   describe_fields(world, kept);
   file_->start();

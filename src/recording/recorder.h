@@ -19,6 +19,7 @@ struct Options {
   double state_seconds = 1;  // of simulated time, between states that are kept
   double flush_seconds = 1;  // of real time
   unsigned compression = 4;
+  bool replace = false;                    // a whole recording that is there
   std::string configuration, seed, build;  // attributes
 };
 

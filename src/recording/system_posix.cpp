@@ -9,6 +9,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "base/new_file.h"
 #include "recording/system.h"
 #if defined(__linux__)
 #include <sys/auxv.h>
@@ -98,14 +99,9 @@ const bool kNamesOpenFiles = true;
 
 std::string name_file(const std::string& file, const std::string& name, bool replace) {
   if (!replace) {
-    if (link(file.c_str(), name.c_str()) == 0) {
-      unlink(file.c_str());
-      return "";
-    }
-    struct stat there {};
-    if (errno == EEXIST || lstat(name.c_str(), &there) == 0) return std::generic_category().message(EEXIST);
+    const std::error_code error = move_to_free(file, name);
+    return error ? error.message() : "";
   }
-  // Also where the file system has no second names.
   return std::rename(file.c_str(), name.c_str()) == 0 ? "" : std::generic_category().message(errno);
 }
 

@@ -24,8 +24,8 @@ void widen(Table& table, std::size_t row_bytes) {
 
 }  // namespace
 
-Writer::Writer(const std::string& path, unsigned compression)
-    : h5_(hdf5::library()), place_(path), compression_(compression) {
+Writer::Writer(const std::string& path, bool replace, unsigned compression)
+    : h5_(hdf5::library()), place_(path, replace), compression_(compression) {
   place_.require_room();
   const hdf5::Turn turn;
   // What is needed for a file that stays whole while it grows ("single writer, multiple readers").

@@ -367,6 +367,8 @@ int main(void) {
   FIELD(mimo_recorder_config, configuration);
   FIELD(mimo_recorder_config, seed);
   FIELD(mimo_recorder_config, hdf5);
+  FIELD(mimo_recorder_config, replace);
+  FIELD(mimo_recorder_config, reserved);
 
   BEGIN(mimo_recording_info);
   FIELD(mimo_recording_info, struct_size);

@@ -29,6 +29,7 @@ static mimo_env* world_of(const char* name, uint32_t hearing) {
   return env;
 }
 
+/* What an earlier test left is replaced. */
 static mimo_recorder* record(mimo_env* env, const char* keep) {
   mimo_recorder* recorder = NULL;
   mimo_recorder_config config;
@@ -37,6 +38,7 @@ static mimo_recorder* record(mimo_env* env, const char* keep) {
   config.state_seconds = 0.1;
   config.configuration = "{\"who\": \"a test\"}";
   config.seed = 7;
+  config.replace = 1;
   CHECK_OK(mimo_recorder_open(env, path, &config, &recorder));
   if (recorder == NULL) exit(failures());
   return recorder;
@@ -248,6 +250,8 @@ static void worlds_of_a_batch_are_recorded(void) {
   CHECK_OK(mimo_env_config_init(&settings, sizeof settings));
   settings.max_steps = 6;
   CHECK_OK(mimo_batch_create(scene, &settings, &config, &batch));
+  unlink(path);
+  unlink(other);
   for (size_t i = 0; i < 2; ++i) {
     CHECK_OK(mimo_batch_world(batch, i, &worlds[i]));
     CHECK_OK(mimo_recorder_open(worlds[i], i == 0 ? path : other, NULL, &recorders[i]));
@@ -312,6 +316,7 @@ static void a_full_disk_fails_no_step(void) {
   settings.flush_seconds = 0;
   settings.compression = 0;
   settings.state_seconds = 0.01;
+  settings.replace = 1;
   CHECK_OK(mimo_recorder_open(env, path, &settings, &recorder));
   go(env, 2);
   CHECK(getrlimit(RLIMIT_FSIZE, &before) == 0);
@@ -340,19 +345,62 @@ static void write_text(const char* text) {
   fclose(file);
 }
 
-/* Only a whole recording that nobody uses is written over. */
+static size_t steps_there(void) {
+  mimo_recording* recording = open_it();
+  const size_t steps = info_of(recording).steps;
+  mimo_recording_destroy(recording);
+  return steps;
+}
+
+/* A recording is replaced where that is asked for, also one of a program that knows nothing of the member. */
+static void a_recording_stays_unless_asked(void) {
+  mimo_env* env = blind_env("benchmark", NULL);
+  mimo_recorder* recorder = NULL;
+  mimo_recorder_config config;
+  unlink(path);
+  CHECK_OK(mimo_recorder_open(env, path, NULL, &recorder)); /* nothing is there */
+  go(env, 3);
+  CHECK_OK(mimo_recorder_close(recorder));
+  recorder = NULL;
+  CHECK_FAILS(MIMO_E_FILE, path, mimo_recorder_open(env, path, NULL, &recorder));
+  CHECK_FAILS(MIMO_E_FILE, "only where `replace` is set", mimo_recorder_open(env, path, NULL, &recorder));
+  CHECK_OK(mimo_recorder_config_init(&config, sizeof config));
+  CHECK(config.replace == 0);
+  config.struct_size = offsetof(mimo_recorder_config, replace); /* as in 1.0.0-rc1 */
+  config.replace = 1;
+  CHECK_FAILS(MIMO_E_FILE, "only where `replace` is set", mimo_recorder_open(env, path, &config, &recorder));
+  CHECK(recorder == NULL && steps_there() == 3);
+  config.struct_size = sizeof config;
+  config.replace = 2;
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "replace is 2", mimo_recorder_open(env, path, &config, &recorder));
+  config.replace = 1;
+  CHECK_OK(mimo_recorder_open(env, path, &config, &recorder));
+  go(env, 2);
+  CHECK_OK(mimo_recorder_close(recorder));
+  CHECK(steps_there() == 2);
+  unlink(path);
+  write_text("two years of data");
+  CHECK_FAILS(MIMO_E_FILE, "is not overwritten", mimo_recorder_open(env, path, &config, &recorder));
+  unlink(path);
+  mimo_env_destroy(env);
+}
+
+/* Not even with `replace` is anything else written over. */
 static void files_of_others_stay(void) {
   char found[32] = "";
   mimo_env *env = blind_env("benchmark", NULL), *neighbour = blind_env("benchmark", NULL);
   mimo_recorder* recorder = NULL;
+  mimo_recorder_config config;
+  CHECK_OK(mimo_recorder_config_init(&config, sizeof config));
+  config.replace = 1;
   write_text("two years of data");
-  CHECK_FAILS(MIMO_E_FILE, "is not overwritten", mimo_recorder_open(env, path, NULL, &recorder));
+  CHECK_FAILS(MIMO_E_FILE, "is not overwritten", mimo_recorder_open(env, path, &config, &recorder));
   FILE* file = fopen(path, "r");
   CHECK(fgets(found, sizeof found, file) != NULL);
   fclose(file);
   CHECK_TEXT("two years of data", found);
   CHECK(unlink(path) == 0 && mkfifo(path, 0600) == 0); /* at which opening would wait */
-  CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recorder_open(env, path, NULL, &recorder));
+  CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recorder_open(env, path, &config, &recorder));
   mimo_recording* recording = NULL;
   CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recording_open(path, NULL, &recording));
   unlink(path);
@@ -360,7 +408,7 @@ static void files_of_others_stay(void) {
   recorder = record(env, NULL);
   go(env, 3);
   mimo_recorder* second = NULL;
-  CHECK_FAILS(MIMO_E_FILE, "a program is using", mimo_recorder_open(neighbour, path, NULL, &second));
+  CHECK_FAILS(MIMO_E_FILE, "a program is using", mimo_recorder_open(neighbour, path, &config, &second));
   go(env, 1);
   CHECK_OK(mimo_recorder_close(recorder));
   recording = open_it();
@@ -480,6 +528,7 @@ int main(void) {
   worlds_of_a_batch_are_recorded();
   a_difference_is_told();
   a_full_disk_fails_no_step();
+  a_recording_stays_unless_asked();
   files_of_others_stay();
   what_is_taken_away_is_told();
   damaged_beginnings_end();

@@ -152,12 +152,26 @@ class Record(Case):
         output, errors = first.communicate(timeout=30)
         self.assertEqual(errors, "")
         self.assertIn("%d steps" % self.replay()["steps"], output)
-        self.record("--seconds", "0.1")  # now it may
+        self.record("--replace", "--seconds", "0.1")  # now it may
         self.assertEqual(self.replay()["steps"], 10)
+
+    def test_a_recording_stays_unless_asked(self):
+        self.record("--seconds", "0.2")
+        before = (self.folder / "run.h5").read_bytes()
+        error = self.mimo("record", "--seconds", "0.1", "--out", "run.h5", code=1)
+        self.assertIn("cannot write run.h5: a recording is there, which is replaced only where `replace` is set", error)
+        self.mimo("replay", "run.h5", "--out", "new.h5")
+        self.assertIn("cannot write new.h5", self.mimo("replay", "run.h5", "--out", "new.h5", code=1))
+        self.assertEqual((self.folder / "run.h5").read_bytes(), before)
+        self.mimo("replay", "run.h5", "--from", "0.1", "--out", "new.h5", "--replace")
+        self.assertEqual(self.replay(file="new.h5")["steps"], 10)
+        self.record("--seconds", "0.1", "--replace")
+        self.assertEqual(self.replay()["steps"], 10)
+        self.assertEqual(self.files(), ["new.h5", "run.h5"])
 
     def test_files_of_others_stay(self):
         self.write("data.h5", "two years of data")
-        error = self.mimo("record", "--seconds", "0.1", "--out", "data.h5", code=1)
+        error = self.mimo("record", "--replace", "--seconds", "0.1", "--out", "data.h5", code=1)
         self.assertIn("is not overwritten", error)
         self.assertEqual((self.folder / "data.h5").read_text(), "two years of data")
         self.record("--seconds", "0.1")
@@ -234,7 +248,7 @@ class Record(Case):
     @needs_h5py
     def test_recordings_of_other_programs_need_the_scene(self):
         for configuration in ("", '{"python": {"scene": "reach"}}', "notes of a lab"):
-            self.record("--scene", "reach", "--age", "6", "--seconds", "0.3")
+            self.record("--scene", "reach", "--age", "6", "--seconds", "0.3", "--replace")
             with h5py.File(self.folder / "run.h5", "r+") as file:
                 file.attrs["configuration"] = numpy.bytes_(configuration + "\0")
             self.assertIn("--scene says which", self.mimo("replay", "run.h5", code=1))

@@ -93,6 +93,12 @@ static mimo_status check_destroy_senses(args* a) {
   return CHECKED(strcmp(before, mimo_last_error()) == 0 && mimo_senses_state_size(a->senses, &count) == MIMO_OK);
 }
 
+/* A recording of an earlier call would be in the way. */
+static mimo_status open_recorder(args* a) {
+  if (a->new_run != NULL) remove(a->new_run);
+  return mimo_recorder_open(a->env, a->new_run, a->recorder_config, a->made_recorder);
+}
+
 static mimo_status check_close_recorder(args* a) {
   char before[512];
   snprintf(before, sizeof before, "%s", mimo_last_error());

@@ -3,13 +3,13 @@
 ROW(mimo_recorder_config_init, 0,
     mimo_recorder_config_init(a->recorder_config, sizeof *a->recorder_config + a->more_bytes),
     INIT(recorder_config, mimo_recorder_config, "config"))
-ROW(mimo_recorder_open, ON_ENV | SIMULATES,
-    mimo_recorder_open(a->env, a->new_run, a->recorder_config, a->made_recorder), NO_NULL(new_run, "path"),
-    NULL_OK(recorder_config), CONFIG(recorder_config, mimo_recorder_config, "config"),
-    NO_NULL(made_recorder, "recorder"),
+ROW(mimo_recorder_open, ON_ENV | SIMULATES, open_recorder(a), NO_NULL(new_run, "path"), NULL_OK(recorder_config),
+    CONFIG(recorder_config, mimo_recorder_config, "config"), NO_NULL(made_recorder, "recorder"),
     BAD_FIELD(recorder_config, mimo_recorder_config, compression, 10, "compression"),
     UNREAL(recorder_config, mimo_recorder_config, state_seconds, "state_seconds"), RECORDER_REAL(state_seconds, 0),
     UNREAL(recorder_config, mimo_recorder_config, flush_seconds, "flush_seconds"), RECORDER_REAL(flush_seconds, -1),
+    UNKNOWN_FIELD(recorder_config, mimo_recorder_config, replace, 2, "replace"),
+    UNKNOWN_FIELD(recorder_config, mimo_recorder_config, reserved, 1, "reserved"),
     DO(keeps_wings, MIMO_E_NOT_FOUND, "wings"))
 ROW(mimo_recorder_flush, ON_RECORDER, mimo_recorder_flush(a->recorder), NONE)
 ROW(mimo_recorder_close, ON_ENV | ON_RECORDER | DESTROYS, check_close_recorder(a), NONE)

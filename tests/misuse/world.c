@@ -266,6 +266,8 @@ static void make_movement(void) {
 static void make_recordings(void) {
   good.run = "misuse_run.h5";
   good.new_run = "misuse_new_run.h5";
+  remove(good.run); /* of an earlier process */
+  remove("misuse_recorded.h5");
   CHECK_OK(mimo_recorder_open(good.env, good.run, NULL, &dead_recorder));
   for (int i = 0; i < 2; ++i) CHECK_OK(mimo_env_step(good.env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_recorder_close(dead_recorder));

@@ -9,9 +9,11 @@ import mimo
 
 @pytest.fixture
 def run(tmp_path):
+    """A file for a recording, in which nothing is yet."""
     path = tmp_path / "run.h5"
     with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, keep="none"):
         pass
+    path.unlink()
     return path
 
 
@@ -53,6 +55,21 @@ def test_a_program_is_played_again(run):
             recording.step(world)
         with pytest.raises(mimo.NotFoundError, match="wings"):
             recording.read("wings", np.float32)
+
+
+def test_a_recording_stays_unless_asked(run):
+    with mimo.World("benchmark", vision=False, touch=False) as world:
+        with mimo.Recorder(world, run):
+            move(world, 3)
+        for options in ({}, {"replace": False}):
+            with pytest.raises(mimo.FileError, match=r"run.h5: a recording is there, .* only where `replace` is set"):
+                mimo.Recorder(world, run, **options)
+        with mimo.Recording(run) as recording:
+            assert recording.steps == 3
+        with mimo.Recorder(world, run, replace=True):
+            move(world, 2)
+    with mimo.Recording(run) as recording:
+        assert recording.steps == 2
 
 
 def test_ages_and_environments(run):
@@ -101,6 +118,6 @@ def test_what_is_refused(run, tmp_path):
             move(world, 2)
         with mimo.Recording(run) as recording, pytest.raises(mimo.ArgumentError, match="other joints"):
             recording.play(other)
-        with mimo.Recorder(world, run) as recorder:
+        with mimo.Recorder(world, run, replace=True) as recorder:
             world.close()  # closes the file, too
             recorder.flush()

@@ -20,6 +20,9 @@ namespace Mimo
         public ulong Seed;
         /// <summary>Path of the HDF5 library; null: the system's.</summary>
         public string Hdf5;
+        /// <summary>A whole recording that is there, and that no program is using, is replaced; else it stays, and the
+        /// recorder is refused.</summary>
+        public bool Replace;
     }
 
     /// <summary>Records all steps of a world into an HDF5 file until it is closed, or the world is.</summary>
@@ -28,7 +31,8 @@ namespace Mimo
         private readonly RecorderHandle owned;
         private RecorderHandle Handle => Ending.Pass(owned);
 
-        /// <summary>Records a world from now on. A file of that name is replaced.</summary>
+        /// <summary>Records a world from now on. A recording that is there stays, and is an error, unless
+        /// options.Replace is set.</summary>
         public Recorder(Env env, string path, RecorderOptions options = null)
         {
             options = options ?? new RecorderOptions();
@@ -45,6 +49,7 @@ namespace Mimo
                 config.configuration = configuration.Pointer;
                 config.seed = options.Seed;
                 config.hdf5 = hdf5.Pointer;
+                config.replace = options.Replace ? 1u : 0u;
                 MimoException.Check(Native.mimo_recorder_open(Given.Some(env, "env", "an Env").Handle, Utf8.Bytes(path), ref config, out owned));
                 owned.World = env.Handle;
                 Ending.Watch(owned);

@@ -190,6 +190,7 @@ namespace Mimo
         internal IntPtr configuration;
         internal ulong seed;
         internal IntPtr hdf5;
+        internal uint replace, reserved;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -35,12 +35,12 @@ internal static partial class Tests
             return scene;
         }
 
-        /// <summary>Worlds of each kind, in the middle of what they do. The file gets a recording of five steps.</summary>
+        /// <summary>Worlds of each kind, in the middle of what they do. The file gets a recording of five steps, also where one is.</summary>
         public void Play(string file)
         {
             var scene = Room();
             var recorded = new Env(scene);
-            kept.Add(new Recorder(recorded, file));
+            kept.Add(new Recorder(recorded, file, new RecorderOptions { Replace = true }));
             for (var step = 0; step < 5; ++step) recorded.Step(null);
             scene.SetTask(new CountingTask());
             var moving = new Env(scene);

@@ -62,6 +62,17 @@ internal static partial class Tests
             env.Step(null);
         }
         using (var recording = new Recording(path)) Check(recording.Info.Steps == 1, "steps");
+        using (var env = Listening())
+        {
+            var error = Refused(() => new Recorder(env, path));
+            Check(error.Message.Contains("only where `replace` is set"), error.Message);
+            using (new Recorder(env, path, new RecorderOptions { Replace = true }))
+            {
+                env.Step(null);
+                env.Step(null);
+            }
+        }
+        using (var recording = new Recording(path)) Check(recording.Info.Steps == 2, "replaced");
         File.Delete(path);
     }
 }

@@ -28,7 +28,8 @@ function programs_are_played_again()
   other = mimo_create('reach', 'vision', 0, 'touch', 0);
   refused(@() mimo_replay(other, file), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_replay(twin, file, 12), 'mimo:INVALID_ARGUMENT');
-  mimo_record(other, file);
+  refused(@() mimo_record(other, file), 'mimo:FILE');
+  mimo_record(other, file, 'replace', 1);
   mimo_step(other, []);
   mimo_close(other);  % closes the file, too
   info = mimo_recording(file);

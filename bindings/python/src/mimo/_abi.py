@@ -570,6 +570,8 @@ class RecorderConfig(Struct):
         ("configuration", c_char_p),
         ("seed", c_uint64),
         ("hdf5", c_char_p),
+        ("replace", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 

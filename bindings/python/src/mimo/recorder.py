@@ -30,6 +30,7 @@ class RecorderOptions(TypedDict, total=False):
     configuration: str
     seed: int
     hdf5: str
+    replace: bool
 
 
 class Recorder(Handle):
@@ -39,7 +40,8 @@ class Recorder(Handle):
             ...
 
     Whatever else changes the world between two steps is found, and a state is kept from which a replay goes on there.
-    A full disk fails no step; flush and close raise it.
+    A full disk fails no step; flush and close raise it. A recording that is there stays, and is a FileError, unless
+    `replace` is true.
     """
 
     def __init__(self, world: Any, path: "Union[str, os.PathLike[str]]", **options: Unpack[RecorderOptions]) -> None:

@@ -838,7 +838,7 @@ extern "C" {
     #[doc = "textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
     #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
     #[doc = "Errors: MIMO_E_FILE for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for one that"]
-    #[doc = "        cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then."]
+    #[doc = "        cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then, no folder either."]
     pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
 #[doc = "How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months."]
@@ -2206,6 +2206,11 @@ pub struct mimo_recorder_config {
     pub seed: u64,
     #[doc = "Path of the HDF5 library; NULL (default): see above."]
     pub hdf5: *const std::os::raw::c_char,
+    #[doc = "1: a whole recording that is there, and that no program is using, is replaced."]
+    #[doc = "0 (default): it stays, and the recorder is refused."]
+    pub replace: u32,
+    #[doc = "0."]
+    pub reserved: u32,
 }
 extern "C" {
     #[doc = "Fills a config with defaults."]
@@ -2221,16 +2226,17 @@ extern "C" {
     #[doc = ""]
     #[doc = "A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to"]
     #[doc = "the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened."]
-    #[doc = "Nobody else's file is written over: a whole recording that no program is using is replaced, once the new one has"]
-    #[doc = "been made beside it, and so is an empty file. What else is there stays, as MIMO_E_FILE. While it is recorded, no"]
-    #[doc = "other recorder takes the file, in this process or another one; where somebody else moves, removes, replaces or cuts"]
-    #[doc = "it all the same, the recording ends as on a full disk."]
+    #[doc = "Nothing is written over but an empty file and, where `replace` of the config is 1, a whole recording that no program"]
+    #[doc = "is using; that is replaced once the new one has been made beside it. What else is there stays, as MIMO_E_FILE. While"]
+    #[doc = "it is recorded, no other recorder takes the file, in this process or another one; where somebody else moves, removes,"]
+    #[doc = "replaces or cuts it all the same, the recording ends as on a full disk."]
     #[doc = "@param path     of the file."]
     #[doc = "@param config   NULL means defaults."]
     #[doc = "@param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed."]
     #[doc = "Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;"]
     #[doc = "        MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE"]
-    #[doc = "        for a file that cannot be made, and for one that is there and is no whole recording or is in use;"]
+    #[doc = "        for a file that cannot be made, and for one that is there and is not to be replaced, is no whole recording"]
+    #[doc = "        or is in use;"]
     #[doc = "        MIMO_E_SIMULATION for a world that has failed."]
     pub fn mimo_recorder_open(
         env: *mut mimo_env,

@@ -65,6 +65,13 @@ impl RecorderConfig {
         self
     }
 
+    /// Whether a whole recording that is there, and that no program is using, is replaced. Else it stays, and
+    /// [`Recorder::open`] fails.
+    pub fn replace(&mut self, replace: bool) -> &mut Self {
+        self.raw.replace = u32::from(replace);
+        self
+    }
+
     /// Path of the HDF5 library, where it is not the system's.
     pub fn hdf5(&mut self, path: &str) -> Result<&mut Self> {
         self.hdf5 = Some(c_string(path)?);
@@ -80,7 +87,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Records a world from now on. A file of that name is replaced.
+    /// Records a world from now on. A recording that is there stays, and is an error, unless the config says otherwise.
     pub fn open(world: &mut World, path: &str, config: &RecorderConfig) -> Result<Recorder> {
         let path = c_string(path)?;
         let mut raw = config.raw;

@@ -65,6 +65,24 @@ fn a_program_is_played_again() {
 }
 
 #[test]
+fn a_recording_stays_unless_asked() {
+    let path = path("stays");
+    let mut env = world();
+    let Some(recorder) = record(&mut env, &path) else { return };
+    env.step(&[], None).unwrap();
+    recorder.close().unwrap();
+    let mut config = RecorderConfig::new().unwrap();
+    let error = Recorder::open(&mut env, &path, &config).unwrap_err();
+    assert_eq!(error.kind(), Kind::File);
+    assert!(error.message().contains("only where `replace` is set"), "{}", error);
+    assert_eq!(Recording::open(&path, None).unwrap().info().unwrap().steps, 1);
+    config.replace(true);
+    Recorder::open(&mut env, &path, &config).unwrap().close().unwrap();
+    assert_eq!(Recording::open(&path, None).unwrap().info().unwrap().steps, 0);
+    std::fs::remove_file(path).unwrap();
+}
+
+#[test]
 fn what_is_no_recording() {
     let path = path("none");
     let error = Recording::open(&path, None).unwrap_err();
