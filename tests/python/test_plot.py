@@ -1,5 +1,10 @@
 """Pictures: what is drawn is what was sensed."""
 
+import resource
+import signal
+import subprocess
+import sys
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -121,11 +126,30 @@ def test_a_recording_at_a_glance(run, tmp_path, monkeypatch, capsys):
     for options, told in (
         ([str(run), "--infant", "2"], "infant is 2, expected 0 to 0"),
         (["no.h5"], "there is no such file"),
+        ([str(run), "--out", str(tmp_path / "nowhere" / "no.png")], "there is no folder"),
+        ([str(run), "--out", str(tmp_path)], "it is a folder"),
     ):
-        monkeypatch.setattr("sys.argv", ["mimo.plot", *options, "--out", str(tmp_path / "no.png")])
+        monkeypatch.setattr("sys.argv", ["mimo.plot", "--out", str(tmp_path / "no.png"), *options])
         assert plot.main() == 1
         assert told in capsys.readouterr().err
     assert not (tmp_path / "no.png").exists()
+
+
+@pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
+def test_a_full_disk_leaves_the_picture_that_was_there(run, tmp_path, ending):
+    path = tmp_path / f"run.{ending}"
+    path.write_text("of yesterday")
+
+    def small_disk():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))
+
+    command = [sys.executable, "-m", "mimo.plot", str(run), "--out", str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, preexec_fn=small_disk)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert f"python -m mimo.plot: cannot write {path}: File too large\n" in done.stderr
+    assert path.read_text() == "of yesterday"
+    assert len(list(tmp_path.iterdir())) == 1
 
 
 def test_touch_over_time_is_a_running_mean():

@@ -89,7 +89,7 @@ def test_what_cannot_be_filmed(run, tmp_path, monkeypatch, capsys):
     assert "--full-scale is 0" in refused(run, "--out", path, "--full-scale", "0")
     assert "there is no such file" in refused(tmp_path / "none.h5", "--out", path)
     assert 'no scene named "nosuch"' in refused("--scene", "nosuch", "--out", path)
-    assert "no such folder" in refused(run, "--out", tmp_path / "nowhere" / "no.mp4")
+    assert "there is no folder" in refused(run, "--out", tmp_path / "nowhere" / "no.mp4")
     for end in ("no.txt", "no.gif", "no"):
         expected = "cannot be written as a video: expected a name that ends with .mp4, .m4v, .mov, .mkv"
         assert expected in refused(run, "--out", tmp_path / end)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import inspect
-import os
 from enum import IntEnum, IntFlag
 from functools import reduce, wraps
 from operator import or_
@@ -59,12 +58,6 @@ def unexpected(name: str, known: Iterable[str]) -> TypeError:
     near = difflib.get_close_matches(name, known, 1)
     meant = f"; did you mean {near[0]!r}?" if near else "."
     return TypeError(f"unexpected keyword argument {name!r}{meant} There are: {', '.join(known)}")
-
-
-def require_folder(path: str) -> None:
-    """That a file can be made there: to be asked before the work, not after it."""
-    if not os.access(os.path.dirname(path) or ".", os.W_OK):
-        raise OSError(f"{path} cannot be written: there is no such folder, or it may not be written to")
 
 
 def real_number(name: str, value: Any) -> float:

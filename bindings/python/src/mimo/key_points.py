@@ -14,6 +14,7 @@ from typing import Dict, List, NamedTuple, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._files import new_file
 from .constants import Kind, Quantity
 from .drawing import prefixes
 from .errors import NotFoundError
@@ -213,7 +214,7 @@ def _points(path: str, times: Numbers, names: List[str], parts: str, columns: Di
 
 def write_table(path: str, names: Sequence[str], rows: Union[Numbers, Sequence[Sequence[float]]]) -> None:
     """Numbers with all their digits; what is not a number is left empty."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
+    with new_file(path) as beside, open(beside, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(names)
         for row in rows:

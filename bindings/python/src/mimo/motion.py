@@ -15,13 +15,12 @@ Joints that the points say little about stay near that first pose.
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from typing import Any, Dict, List, Literal, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from .arguments import require_folder
+from ._files import require_writable
 from .constants import Kind, Quantity
 from .errors import Error
 from .frames import after, placed
@@ -311,9 +310,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     options = parser.parse_args(arguments)
     try:
         for path in filter(None, (options.out, options.errors)):
-            require_folder(path)  # before the work, not after it
-            if os.path.isdir(path):
-                raise OSError(f"{path} cannot be written: it is a folder")
+            require_writable(path)  # before the work, not after it
         points = read_points(options.points)
         camera = Camera.read(options.camera) if options.camera else None
         scene = Scene(options.scene)

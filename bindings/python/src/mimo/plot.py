@@ -14,12 +14,15 @@ Each function returns a matplotlib Figure, which a notebook shows as its cell's 
 from __future__ import annotations
 
 import argparse
+import io
+import os
 import sys
 from typing import Any, Callable, List, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._files import new_file, require_writable
 from .access import Joints
 from .body_map import BodyMap
 from .display import has_display
@@ -252,9 +255,13 @@ def main() -> int:
     asked = parser.parse_args()
     plt.switch_backend("Agg")
     try:
+        require_writable(asked.out)
         with Recording(asked.recording) as recording:
             figure = run(traces(recording, asked.infant, asked.scene), asked.title)
-        figure.savefig(asked.out, dpi=130)
+        drawn = io.BytesIO()  # as matplotlib's PDFs do not survive a full disk
+        figure.savefig(drawn, dpi=130, format=os.path.splitext(asked.out)[1][1:] or "png")
+        with new_file(asked.out) as file:
+            file.write_bytes(drawn.getvalue())
     except (Error, OSError, ValueError) as error:
         print(f"python -m mimo.plot: {error}", file=sys.stderr)
         return 1

@@ -6,6 +6,7 @@ mimo.usd.write(world, "infant.usdc")    # or .usda, a text; or .usdz, with the t
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +14,7 @@ from typing import Any, Dict, List, Union
 
 import numpy as np
 
+from ._files import MARK, failures_named, new_file, put, require_writable
 from .constants import Kind, TextureType
 from .cubes import picture, places
 from .drawing import on_bodies
@@ -34,19 +36,34 @@ def write(world: World, file: Union[str, "os.PathLike[str]"], segments: int = 24
     path = Path(file)
     if path.suffix not in ENDINGS:
         raise ValueError(f"the file is {str(path)!r}, expected a name that ends in {', '.join(ENDINGS)}")
-    if not path.absolute().parent.is_dir():
-        raise ValueError(f"the file is {str(path)!r}, but there is no folder {str(path.absolute().parent)!r}")
+    require_writable(path)
     _need()
-    if path.suffix != ".usdz":
-        return _Writer(world, path, segments, plane).written
-    from pxr import Sdf, UsdUtils
+    with failures_named(path), tempfile.TemporaryDirectory(prefix=MARK, dir=path.parent) as beside:
+        document, *textures = _made(world, Path(beside), path, segments, plane)
+        places = [path.parent / texture.relative_to(beside) for texture in textures]
+        with new_file(path) as file:
+            shutil.copyfile(document, file)
+            for texture, place in zip(textures, places):
+                place.parent.mkdir(exist_ok=True)
+                put(texture, place)
+    return [path, *places]
 
-    with tempfile.TemporaryDirectory() as folder:
-        inside = Path(folder) / f"{path.stem}.usdc"
-        _Writer(world, inside, segments, plane)
-        if not UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(inside)), str(path.absolute())):
-            raise OSError(f"{str(path)!r} cannot be written")
-    return [path]
+
+def _made(world: World, folder: Path, path: Path, segments: int, plane: float) -> List[Path]:
+    """The document and its textures, in a folder of their own."""
+    from pxr import Sdf, Tf, UsdUtils
+
+    packed = path.suffix == ".usdz"
+    inside = folder / (f"{path.stem}.usdc" if packed else path.name)
+    try:
+        written = _Writer(world, inside, segments, plane).written
+        if not packed:
+            return written
+        if UsdUtils.CreateNewUsdzPackage(Sdf.AssetPath(str(inside)), str(folder / path.name)):
+            return [folder / path.name]
+    except Tf.ErrorException as error:
+        raise OSError(f"cannot write {path}: {' '.join(str(error).split())}") from None
+    raise OSError(f"cannot write {path}: the package cannot be made; is there room?")
 
 
 def _need() -> None:

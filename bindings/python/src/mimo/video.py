@@ -11,12 +11,13 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from typing import Any, List, Optional
+from contextlib import contextmanager, suppress
+from typing import Any, Iterator, List, Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .arguments import require_folder
+from ._files import new_file
 from .body_map import BodyMap
 from .constants import Kind
 from .drawing import EARS, EYES, heat, prefixes, strength, touch_field
@@ -126,17 +127,8 @@ class File:
     """A video file that is written, in one of FORMATS."""
 
     def __init__(self, path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> None:
-        av = _av()
-        require_folder(path)
-        if os.path.splitext(path)[1].lower() not in FORMATS:
-            raise ValueError(
-                f"{path} cannot be written as a video: expected a name that ends with {', '.join(FORMATS)}"
-            )
-        try:
-            self._file = av.open(path, "w")
-        except (av.FFmpegError, ValueError) as error:
-            raise ValueError(f"{path} cannot be written as a video: {error}") from None
-        self._av = av
+        av = self._av = _av()
+        self._file = av.open(path, "w")
         codec = "libx264" if "libx264" in av.codecs_available else "mpeg4"
         self._pictures = self._file.add_stream(codec, rate=rate)
         self._pictures.width, self._pictures.height = SIZE
@@ -164,12 +156,17 @@ class File:
         for packet in stream.encode(frame):
             self._file.mux(packet)
 
-    def close(self) -> None:
+    def finish(self) -> None:
         """Writes the rest."""
         for stream in (self._pictures, self._sound):
             if stream is not None:
                 self._mux(stream, None)
         self._file.close()
+
+    def give_up(self) -> None:
+        """Closes what cannot be finished."""
+        with suppress(self._av.FFmpegError):
+            self._file.close()
 
 
 def _av() -> Any:
@@ -195,11 +192,10 @@ def film(
         raise ValueError(f"--rate is {rate}, expected 1 to {1 / step_seconds:g} pictures a second")
     ears = [list(prefixes(world))[agent] + ear for ear in EARS]
     hears = ears[0] in world.layout.fields
-    motors, steps = Motors(world, step_seconds), _steps(source, seconds)
-    file = File(path, rate, round(world.layout.fields[ears[0]].sample_rate) if hears else None, full_scale)
-    frame, count = Frame(world, agent), 0
-    try:
-        for step in range(steps):
+    sound_rate = round(world.layout.fields[ears[0]].sample_rate) if hears else None
+    motors, frame, count = Motors(world, step_seconds), Frame(world, agent), 0
+    with _video(path, rate, sound_rate, full_scale) as file:
+        for step in range(_steps(source, seconds)):
             if _due(step, count, step_seconds * rate):
                 file.show(frame.draw())
                 count += 1
@@ -207,9 +203,21 @@ def film(
                 source.restart(None)
             if hears:
                 file.play(np.stack([world.observation[ear] for ear in ears], axis=1))
-    finally:
-        file.close()
     return count
+
+
+@contextmanager
+def _video(path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> Iterator[File]:
+    """A file that gets its name when it is whole."""
+    if os.path.splitext(path)[1].lower() not in FORMATS:
+        raise ValueError(f"{path} cannot be written as a video: expected a name that ends with {', '.join(FORMATS)}")
+    with new_file(path) as beside:
+        file = File(str(beside), rate, sound_rate, full_scale)
+        try:
+            yield file
+            file.finish()
+        finally:
+            file.give_up()
 
 
 def _due(step: int, count: int, pictures_a_step: float) -> bool:

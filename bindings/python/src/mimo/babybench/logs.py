@@ -9,6 +9,7 @@ import pickle
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional
 
+from .._files import new_file
 from .pickled import loads
 
 Entry = Dict[str, Any]
@@ -26,9 +27,8 @@ def read(path: Path) -> Any:
 def write(path: Path, value: Any) -> None:
     """Writes a log whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = path.with_suffix(".part")
-    beside.write_bytes(pickle.dumps(value, protocol=4))
-    beside.replace(path)
+    with new_file(path) as file:
+        file.write_bytes(pickle.dumps(value, protocol=4))
 
 
 def log_of(config: Mapping[str, Any]) -> "TrainingLog":
