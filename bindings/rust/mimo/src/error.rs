@@ -32,7 +32,7 @@ pub enum Kind {
     Internal,
     /// A file cannot be written, or is not what it should be.
     File,
-    /// A [`Task`](crate::Task) panicked, or said what cannot be meant.
+    /// A [`Task`](crate::Task) failed or panicked, or said what cannot be meant.
     Task,
     /// Not now, and nothing was changed: another thread is using it, or another call has to come first.
     Busy,
