@@ -1,6 +1,6 @@
 # What builds for other systems need beside MuJoCo, out of the folder MIMO_DEPENDENCIES, which ./dev fills: headers, and the
 # sources of pugixml, zlib and libpng, which become part of what is linked with them.
-set(mimo_from_sources Eigen3 fmt pugixml CLI11 PNG nlohmann_json)
+set(mimo_from_sources Eigen3 fmt pugixml CLI11 PNG ZLIB nlohmann_json)
 include_directories(SYSTEM ${MIMO_DEPENDENCIES}/include)
 foreach(target Eigen3::Eigen CLI11::CLI11 nlohmann_json::nlohmann_json)
   add_library(${target} INTERFACE IMPORTED)
@@ -27,14 +27,16 @@ function(mimo_foreign_library target folder)
 endfunction()
 
 mimo_foreign_library(pugixml::static pugixml/src pugixml.cpp)
+mimo_foreign_library(ZLIB::ZLIB zlib adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c zutil.c)
+if(APPLE)  # by this word it takes it for the system of the nineties
+  target_compile_options(ZLIB_ZLIB PRIVATE -UTARGET_OS_MAC)
+endif()
 if(MIMO_PROGRAM)
-  mimo_foreign_library(ZLIB::ZLIB zlib adler32.c compress.c crc32.c deflate.c inffast.c inflate.c inftrees.c trees.c zutil.c)
   mimo_foreign_library(PNG::PNG libpng png.c pngerror.c pngget.c pngmem.c pngpread.c pngread.c pngrio.c pngrtran.c pngrutil.c
                        pngset.c pngtrans.c pngwio.c pngwrite.c pngwtran.c pngwutil.c)
   target_compile_definitions(PNG_PNG PRIVATE PNG_ARM_NEON_OPT=0)
-  if(APPLE)  # by this word they take it for the system of the nineties
-    target_compile_options(ZLIB_ZLIB PRIVATE -UTARGET_OS_MAC)
-    target_compile_options(PNG_PNG PRIVATE -UTARGET_OS_MAC)
+  if(APPLE)
+    target_compile_options(PNG_PNG PRIVATE -UTARGET_OS_MAC)  # likewise
   endif()
   target_link_libraries(PNG_PNG PUBLIC ZLIB::ZLIB)
 endif()

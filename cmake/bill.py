@@ -21,12 +21,12 @@ COMPILED = [
     ("fmt", "MIT", "libfmt-dev"),
     ("Highway", "Apache-2.0", "highway"),
     ("pugixml", "MIT", "pugixml"),
+    ("zlib", "Zlib", "zlib"),
 ]
 IN_PROGRAM = [
     ("CLI11", "BSD-3-Clause", "libcli11-dev"),
     ("JSON for Modern C++", "MIT", "nlohmann-json3-dev"),
     ("libpng", "libpng-2.0", "libpng1.6"),
-    ("zlib", "Zlib", "zlib"),
 ]
 MUJOCO = ("MuJoCo", "Apache-2.0", "2.2.2")
 IN_MUJOCO = [

@@ -13,19 +13,20 @@
 #include "scene/binary.h"
 #include "scene/lines.h"
 #include "scene/loaded_file.h"
+#include "scene/png.h"
 
 namespace mimo::scene {
 namespace {
 
-struct Size {
-  double width = 0, height = 0;
-};
+using Size = PictureSize;
 
 // More than this MuJoCo cannot count, whatever a caller allows.
 constexpr double kMostPixels = 700e6;
 
+double most_pixels(const Limits& limits) { return std::min(static_cast<double>(limits.pixels), kMostPixels); }
+
 void require_pixels(pugi::xml_node node, Size size, const Limits& limits) {
-  const double most = std::min(static_cast<double>(limits.pixels), kMostPixels);
+  const double most = most_pixels(limits);
   if (size.width * size.height <= most) return;
   fail(Status::kModel, "{}: <{}> of {} x {} pixels, more than max_pixels ({})", where(node), node.name(), size.width,
        size.height, most);
@@ -61,26 +62,17 @@ const char* format_of(const std::string& bytes) {
   return found == std::end(kFormats) ? nullptr : found->name;
 }
 
-// What a PNG says at its beginning. Compressed data that is longer than the picture in full makes a reader fill its
-// memory for nothing; no writer makes such.
-Size png_size(const LoadedFile& file) {
-  constexpr std::size_t kHeader = 33, kFirstChunk = 8, kSlack = 65536;
+// What a PNG says at its beginning; its data is looked at where the size is allowed.
+Size size_of_png(const LoadedFile& file, const Limits& limits) {
+  constexpr std::size_t kHeader = 33;
   const std::string& bytes = file.bytes();
   const char* const format = format_of(bytes);
   if (format != nullptr && std::strcmp(format, "PNG") != 0) {
     file.refuse(mimo::format("is a {} picture, expected PNG", format));
   }
   if (format == nullptr || bytes.size() < kHeader || bytes.compare(12, 4, "IHDR") != 0) file.refuse("is no PNG");
-  const Size size{double(big_endian(bytes, 16)), double(big_endian(bytes, 20))};
-  const double full = size.width * size.height * 8;
-  double compressed = 0;
-  for (std::size_t at = kFirstChunk; at + 12 <= bytes.size();) {
-    const std::size_t length = big_endian(bytes, at);
-    if (length > bytes.size() - at - 12) file.refuse("ends within a chunk");
-    if (bytes.compare(at + 4, 4, "IDAT") == 0) compressed += static_cast<double>(length);
-    at += length + 12;
-  }
-  if (compressed > full * 1.01 + kSlack) file.refuse("has more data than its size says");
+  const Size size = png_size(file);
+  if (size.width * size.height <= most_pixels(limits)) check_png_data(file);
   return size;
 }
 
@@ -106,7 +98,7 @@ Size raw_size(const LoadedFile& file, std::size_t each) {
 Size picture_size(pugi::xml_node node, const char* attribute, std::size_t each, const Limits& limits) {
   const LoadedFile file(node, attribute, limits);
   if (file.built_in()) return {};
-  return file.extension() == ".png" ? png_size(file) : raw_size(file, each);
+  return file.extension() == ".png" ? size_of_png(file, limits) : raw_size(file, each);
 }
 
 void check_grid(pugi::xml_node texture) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <chrono>
 #include <cmath>
@@ -114,6 +115,39 @@ TEST_F(SceneHostile, PictureFilesThatLie) {
              "more data than its size says");
   png.expect("a.png", header("\0\0\0\1\0\0\0\1") + std::string("\x7f\1\x86\xa0IDAT", 8) + std::string(99, 'x'),
              "ends within");
+}
+
+// A kilobyte may become a megabyte, and a megabyte a gigabyte, before MuJoCo's reader looks at the size.
+TEST_F(SceneHostile, PicturesThatGrowWhenTheyAreRead) {
+  const Room png("<texture type='2d' file='a.png'/>");
+  const auto number = [](std::size_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 255U);
+    return bytes;
+  };
+  const auto chunk = [&](const std::string& kind, const std::string& content) {
+    const std::string named = kind + content;
+    const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(named.data()), static_cast<uInt>(named.size()));
+    return number(content.size()) + named + number(sum);
+  };
+  const auto picture = [&](std::size_t side, const std::string& rows, std::size_t parts) {
+    std::string packed(compressBound(rows.size()), '\0');
+    uLongf length = packed.size();
+    compress(reinterpret_cast<Bytef*>(&packed[0]), &length, reinterpret_cast<const Bytef*>(rows.data()), rows.size());
+    std::string data;
+    for (std::size_t i = 0; i < parts; ++i) {
+      const std::size_t first = length * i / parts, last = length * (i + 1) / parts;
+      data += chunk("IDAT", packed.substr(first, last - first));
+    }
+    return "\x89PNG\r\n\x1a\n" + chunk("IHDR", number(side) + number(side) + std::string("\x08\x02\0\0\0", 5)) + data +
+           chunk("IEND", "");
+  };
+  const std::size_t side = 100, whole = side * (3 * side + 1);
+  for (const std::size_t parts : {1, 7}) {
+    png.expect("a.png", picture(side, std::string(whole * 1000, '\0'), parts), "more data than its size says");
+  }
+  png.folder().write("a.png", picture(side, std::string(whole, '\0'), 7));
+  EXPECT_EQ(compile(scene::Scene(png.source()))->ntex, 1);
 }
 
 TEST_F(SceneHostile, MeshFilesThatLie) {
