@@ -87,14 +87,14 @@ extern "C" {
 #define MIMO_LIGHT_POSITION 31       /**< Light: 3, m, in the frame of its body, mostly the world. Writable, W. */
 #define MIMO_LIGHT_DIRECTION 32      /**< Light: 3, unit vector in that frame. Writable (any length), W. */
 #define MIMO_LIGHT_COLOR 33          /**< Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W. */
-#define MIMO_CONTACT_GEOMS 34        /**< Contact: 2, ids of geom 1 and geom 2. */
-#define MIMO_CONTACT_BODIES 35       /**< Contact: 2, ids of their bodies. */
+#define MIMO_CONTACT_GEOMS 34        /**< Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4). */
+#define MIMO_CONTACT_BODIES 35       /**< Contact: 2, ids of their bodies; of a flex that of the nearest vertex. */
 #define MIMO_CONTACT_POSITION 36     /**< Contact: 3, world, m. */
 #define MIMO_CONTACT_FRAME 37        /**< Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world. */
 #define MIMO_CONTACT_DISTANCE 38     /**< Contact: 1, m; negative: how deep the geoms overlap, of boxes too. */
 #define MIMO_CONTACT_FORCE 39        /**< Contact: 3, on the second body, in the contact's frame, N. */
 #define MIMO_CONTACT_TORQUE 40       /**< Contact: 3, on the second body, in the contact's frame, Nm. */
-#define MIMO_STEP_CONTACT_GEOMS 41   /**< Step contact: 2, ids of geom 1 and geom 2. */
+#define MIMO_STEP_CONTACT_GEOMS 41   /**< Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4). */
 #define MIMO_STEP_CONTACT_BODIES 42  /**< Step contact: 2, ids of their bodies. */
 #define MIMO_STEP_CONTACT_START 43   /**< Step contact: 1, when they first touched, s since the step's start. */
 #define MIMO_STEP_CONTACT_END 44     /**< Step contact: 1, when they last touched, s since the step's start. */
@@ -149,6 +149,10 @@ extern "C" {
  * are those of the last one. A world with step_contacts in its config also keeps one MIMO_STEP_CONTACT for each pair of
  * geoms that touched in any of them (or in mimo_env_physics_step), in the order in which they met. A reset or a loaded
  * state takes them away. Without the switch, asking for them answers MIMO_E_UNSUPPORTED.
+ *
+ * A flex of MuJoCo 4 (cloth, ropes) is no geom: contacts give -1 in its place. Its body is the body of the vertex that
+ * the contact is next to, or of the node where nodes move the vertices; a step contact keeps the first such body. Both
+ * are -1 only where a host's mjData holds a contact of no thing.
  */
 
 /** How many of a kind (MIMO_BODY ...) the world has. */

@@ -1,4 +1,4 @@
-// Where MuJoCo 2.2 and 4.0 call a thing otherwise, or keep it elsewhere. Only the guard, the fingerprint, the check of
+// Where MuJoCo 2.2 and 4.0 call a thing otherwise, or keep it elsewhere. Only guard, fingerprint, flexes, the check of
 // a host's model and what a step does before its constraints are solved also ask which of the two this is compiled for.
 #pragma once
 

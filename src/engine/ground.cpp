@@ -79,24 +79,23 @@ std::vector<double> heights_at(const mjModel& model, const mjData& data, const s
   return heights;
 }
 
-double overlap_of(const mjModel& model, const mjData& data, const mjContact& contact) {
-  const int one = contact.geom1, other = contact.geom2;
-  const bool boxes = model.geom_type[one] == mjGEOM_BOX && model.geom_type[other] == mjGEOM_BOX;
-  if (!boxes || !is_mujoco_2()) return -contact.dist;
+double overlap_of(const mjModel& model, const mjData& data, const Meeting& met) {
+  const mjContact& contact = data.contact[met.number];
+  if (!is_mujoco_2() || !met.is_of_geoms()) return -contact.dist;
+  const auto [one, other] = met.geoms;
+  if (model.geom_type[one] != mjGEOM_BOX || model.geom_type[other] != mjGEOM_BOX) return -contact.dist;
   const Eigen::Vector3d normal(contact.frame);
   return has_face(data, one, normal) || has_face(data, other, normal) ? -2 * contact.dist : -contact.dist;
 }
 
 Overlap deepest_overlap(const mjModel& model, const mjData& data, int root) {
   Overlap deepest;
-  for (int i = 0; i < data.ncon; ++i) {
-    const mjContact& contact = data.contact[i];
-    const bool first = model.body_rootid[model.geom_bodyid[contact.geom1]] == root;
-    const bool second = model.body_rootid[model.geom_bodyid[contact.geom2]] == root;
-    if (first == second || contact.dist >= 0) continue;
-    const double depth = overlap_of(model, data, contact);
+  for (const Meeting& met : Contacts(model, data)) {
+    const bool first = model.body_rootid[met.bodies[0]] == root, second = model.body_rootid[met.bodies[1]] == root;
+    if (first == second || data.contact[met.number].dist >= 0) continue;
+    const double depth = overlap_of(model, data, met);
     if (depth <= deepest.depth) continue;
-    deepest = {depth, first ? contact.geom1 : contact.geom2, first ? contact.geom2 : contact.geom1};
+    deepest = {depth, met, first ? 0U : 1U};
   }
   return deepest;
 }

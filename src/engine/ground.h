@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "engine/contacts.h"
+
 namespace mimo::engine {
 
 // Half the extent of a geom along the world's z axis.
@@ -18,13 +20,14 @@ std::vector<int> geoms_of_tree(const mjModel& model, int root);
 std::vector<double> heights_at(const mjModel& model, const mjData& data, const std::vector<int>& geoms, double x,
                                double y);
 
-// How deep the two geoms of a contact are in each other there, m, below 0 where they are apart. MuJoCo 2.2 reports half
+// How deep the two sides of a contact are in each other there, m, below 0 where they are apart. MuJoCo 2.2 reports half
 // of it where a face of a box touches another box, and all of it where edges cross.
-double overlap_of(const mjModel& model, const mjData& data, const mjContact& contact);
+double overlap_of(const mjModel& model, const mjData& data, const Meeting& met);
 
 struct Overlap {
-  double depth = 0;          // m
-  int own = -1, other = -1;  // geoms
+  double depth = 0;  // m
+  Meeting met{};
+  std::size_t own = 0;  // its side
 };
 
 // Where a body that hangs on the world, with all that hangs on it, is deepest inside something else; from the contacts

@@ -119,7 +119,7 @@ void of_world(const World& world, const mjData& data, Quantity quantity, int id,
 void compute(const Source& source, Quantity quantity, int id, double* to) {
   const auto& [model, data, world] = source;
   Out out(to);
-  const auto contact = [&from = data, id]() -> const mjContact& { return from.contact[id]; };
+  const auto met = [&] { return engine::meeting(model, data, id); };
   switch (quantity) {
     case Quantity::kJointRange: range(model, id, out); break;
     case Quantity::kJointLock: lock(model, id, out); break;
@@ -135,11 +135,9 @@ void compute(const Source& source, Quantity quantity, int id, double* to) {
     case Quantity::kCameraOrientation: out.put_all(engine::quaternion(data.cam_xmat + 9 * id)); break;
     case Quantity::kCameraPose: pose(data.cam_xpos, data.cam_xmat, id, out); break;
     case Quantity::kLightColor: out.put(model.light_diffuse + 3 * id, 3); break;
-    case Quantity::kContactGeoms: out.put(contact().geom1).put(contact().geom2); break;
-    case Quantity::kContactBodies:
-      out.put(model.geom_bodyid[contact().geom1]).put(model.geom_bodyid[contact().geom2]);
-      break;
-    case Quantity::kContactDistance: *to = -engine::overlap_of(model, data, contact()); break;
+    case Quantity::kContactGeoms: out.put_all(met().geoms); break;
+    case Quantity::kContactBodies: out.put_all(met().bodies); break;
+    case Quantity::kContactDistance: *to = -engine::overlap_of(model, data, met()); break;
     case Quantity::kContactForce: out.put(engine::contact_force(model, data, id).data(), 3); break;
     case Quantity::kContactTorque: out.put(engine::contact_force(model, data, id).data() + 3, 3); break;
     default: of_world(*world, data, quantity, id, to); break;

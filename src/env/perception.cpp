@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "engine/flexes.h"
 #include "env/sounds.h"
 #include "growth/hearing.h"
 #include "observation/signals.h"
@@ -79,6 +80,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
   }
   if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular, setting.tick));
   if (options.touch.any()) {
+    engine::require_told_forces(model);
     agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));
     if (options.touch.receptors.any()) {

@@ -5,6 +5,7 @@
 #include "base/delay.h"
 #include "base/fail.h"
 #include "body/nerves.h"
+#include "engine/flexes.h"
 #include "growth/conduction.h"
 
 namespace mimo::env {
@@ -96,6 +97,7 @@ Reflexes::Reflexes(const mjModel& model, const Perception& agent, const AgentOpt
       stimuli_(model, agent.body, months_, tick, wanted(model, agent, options.reflexes)),
       additions_(model, agent.body, *agent.actuation),
       shares_(additions_.motors()) {
+  engine::require_told_forces(model);
   const std::vector<double> lengths = body::nerve_lengths(model, agent.body);
   const growth::Conduction nerves = growth::conduction_at(months_);
   for (const Reflex reflex : wanted(model, agent, options.reflexes)) {

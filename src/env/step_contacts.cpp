@@ -13,13 +13,15 @@ Span<const StepContact> StepContacts::all() const {
   return {pairs_.data(), pairs_.size()};
 }
 
-std::size_t StepContacts::find(const mjModel& model, const mjContact& contact) {
-  const std::array<int, 2> geoms = {contact.geom1, contact.geom2};
-  const auto found = std::find_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) { return pair.geoms == geoms; });
+std::size_t StepContacts::find(const engine::Meeting& met) {
+  const auto found = std::find_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
+    return pair.geoms == met.geoms && pair.flexes == met.flexes;
+  });
   if (found != pairs_.end()) return static_cast<std::size_t>(found - pairs_.begin());
   StepContact pair{};
-  pair.geoms = geoms;
-  pair.bodies = {model.geom_bodyid[geoms[0]], model.geom_bodyid[geoms[1]]};
+  pair.geoms = met.geoms;
+  pair.flexes = met.flexes;
+  pair.bodies = met.bodies;
   pair.start = elapsed_;
   pairs_.push_back(pair);
   return pairs_.size() - 1;
@@ -30,13 +32,13 @@ void StepContacts::add(const engine::Physics& physics) {
   const mjData& data = physics.data();
   const double step = model.opt.timestep;
   now_.assign(pairs_.size(), Now());
-  for (int i = 0; i < data.ncon; ++i) {
-    const mjContact& contact = data.contact[i];
+  for (const engine::Meeting& met : engine::Contacts(model, data)) {
+    const mjContact& contact = data.contact[met.number];
     if (contact.efc_address < 0) continue;  // near, but beyond the gap
-    const std::size_t pair = find(model, contact);
+    const std::size_t pair = find(met);
     if (pair == now_.size()) now_.emplace_back();
     Now& now = now_[pair];
-    const std::array<double, 6> force = engine::contact_force(model, data, i);
+    const std::array<double, 6> force = engine::contact_force(model, data, met.number);
     const Eigen::Map<const Eigen::Matrix3d> axes(contact.frame);  // MuJoCo's rows are Eigen's columns
     now.force += axes * Eigen::Vector3d(force[0], force[1], force[2]);
     const double strength = Eigen::Vector3d(force[0], force[1], force[2]).norm();

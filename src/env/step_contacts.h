@@ -5,14 +5,15 @@
 #include <vector>
 
 #include "base/span.h"
+#include "engine/contacts.h"
 #include "engine/physics.h"
 
 namespace mimo::env {
 
-// A pair of geoms, over all its contacts. Vectors are in the world frame, forces act on the second body.
+// A pair of geoms or flexes, over all its contacts. Vectors are in the world frame, forces act on the second body.
 struct StepContact {
-  std::array<int, 2> geoms;
-  std::array<int, 2> bodies;
+  std::array<int, 2> geoms, flexes;                         // -1 where it is the other
+  std::array<int, 2> bodies;                                // of a flex: where it touched first
   double start, end;                                        // s, since the step began
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();        // N s
   Eigen::Vector3d peak_force = Eigen::Vector3d::Zero();     // N, of the physics step in which it was largest
@@ -43,7 +44,7 @@ class StepContacts {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
   };
 
-  std::size_t find(const mjModel& model, const mjContact& contact);
+  std::size_t find(const engine::Meeting& met);
 
   bool wanted_;
   double elapsed_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contacts.h"
 #include "engine/motion.h"
 #include "receptors/vectors.h"
 
@@ -130,19 +131,21 @@ void Stimuli::take_in(const mjModel& model, const mjData& data) {
   if (wants(Reflex::kStepping)) stand(model, data);
 }
 
+// What a flex is fastened to does not feel what touches the flex.
+Stimuli::Place Stimuli::place_of(const engine::Meeting& met, std::size_t side) const {
+  return met.geoms[side] < 0 ? Place() : places_[static_cast<std::size_t>(met.bodies[side])];
+}
+
 void Stimuli::touch(const mjModel& model, const mjData& data) {
-  for (int i = 0; i < data.ncon; ++i) {
-    const int first = data.contact[i].geom1, second = data.contact[i].geom2;
-    const int bodies[] = {model.geom_bodyid[first], model.geom_bodyid[second]};
-    const Place& at_first = places_[static_cast<std::size_t>(bodies[0])];
-    const Place& at_second = places_[static_cast<std::size_t>(bodies[1])];
+  for (const engine::Meeting& met : engine::Contacts(model, data)) {
+    const Place at_first = place_of(met, 0), at_second = place_of(met, 1);
     if (at_first.own == at_second.own) continue;
     if (at_first.part == Part::kNone && at_second.part == Part::kNone) continue;
-    const auto force = senses::touch::pressing(model, data, i);
+    const auto force = senses::touch::pressing(model, data, met.number);
     if (!force) continue;
     using senses::touch::Side;
     const Side side = at_first.own ? Side::kFirst : Side::kSecond;
-    feel(model, data, press_on(model, data, i, *force, side));
+    feel(model, data, press_on(model, data, met, *force, side));
   }
 }
 

@@ -45,6 +45,7 @@ class Stimuli {
   bool wants(reflexes::Reflex reflex) const { return wanted_[static_cast<std::size_t>(reflex)]; }
   Sides& share(reflexes::Reflex reflex) { return shares_[static_cast<std::size_t>(reflex)]; }
   void mark(const mjModel& model, const std::string& name, Part part, std::size_t side);
+  Place place_of(const engine::Meeting& met, std::size_t side) const;
   void find_hands(const mjModel& model);
   void find_legs(const mjModel& model);
   void find_head(const mjModel& model);

@@ -4,6 +4,7 @@
 
 #include "base/fail.h"
 #include "body/body.h"
+#include "engine/flexes.h"
 #include "matter/materials.h"
 #include "receptors/skin_temperature.h"
 
@@ -18,6 +19,11 @@ void feel_like(Thing& thing, const matter::Material& material) {
   thing.is_flesh = std::string_view(material.name) == "skin";
   thing.wavelength = material.wavelength;
   thing.amplitude = material.amplitude;
+}
+
+void feel_as_told(Thing& thing, const ThingOptions& told) {
+  if (told.temperature) thing.temperature = *told.temperature;
+  if (!told.material.empty()) feel_like(thing, *matter::find_material(told.material));
 }
 
 // Calls change(geom) for a body and all that hangs on it.
@@ -62,19 +68,21 @@ senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<Agent
   Thing usual;
   usual.temperature = options.room_temperature;
   feel_like(usual, *matter::find_material(kUsual));
-  things->by_geom.assign(static_cast<std::size_t>(model.ngeom), usual);
+  things->all.assign(static_cast<std::size_t>(model.ngeom + engine::flex_count(model)), usual);
   const double skin = receptors::resting_temperature({37, options.room_temperature});
-  const auto thing_of = [&](int geom) -> Thing& { return things->by_geom[static_cast<std::size_t>(geom)]; };
+  const auto thing_of = [&](int geom) -> Thing& { return things->all[static_cast<std::size_t>(geom)]; };
   for_things(
       model, agents, options,
       [&](int geom) {
         thing_of(geom).temperature = skin;
         feel_like(thing_of(geom), *matter::find_material(kSkin));
       },
-      [&](int geom, const ThingOptions& told) {
-        if (told.temperature) thing_of(geom).temperature = *told.temperature;
-        if (!told.material.empty()) feel_like(thing_of(geom), *matter::find_material(told.material));
-      });
+      [&](int geom, const ThingOptions& told) { feel_as_told(thing_of(geom), told); });
+  for (const ThingOptions& told : options.things) {
+    const int body = engine::find_or_fail(model, engine::Kind::kBody, told.body);
+    const std::vector<int> flexes = engine::flexes_on(model, body::subtree(model, body));
+    for (const int flex : flexes) feel_as_told(thing_of(model.ngeom + flex), told);
+  }
   return things;
 }
 

@@ -158,10 +158,12 @@ class Search {
   std::vector<int> geoms_;
 };
 
-std::string described(const mjModel& model, int geom) {
+// A side of a contact.
+std::string described(const mjModel& model, int geom, int body_id) {
+  const std::string body = engine::name(model, Kind::kBody, body_id);
+  if (geom < 0) return "the flex of body \"" + body + "\"";
   const std::string name = engine::name(model, Kind::kGeom, geom);
   if (!name.empty()) return "geom \"" + name + "\"";
-  const std::string body = engine::name(model, Kind::kBody, model.geom_bodyid[geom]);
   return "geom " + std::to_string(geom) + " of body \"" + body + "\"";
 }
 
@@ -192,10 +194,11 @@ void warn_of_overlap(const engine::Physics& physics, const std::string& prefix, 
   const int root = engine::find_or_fail(model, Kind::kBody, prefix + names::kRootBody);
   const engine::Overlap overlap = engine::deepest_overlap(model, physics.data(), root);
   if (overlap.depth < kWorthSaying) return;
-  const std::string own = engine::name(model, Kind::kBody, model.geom_bodyid[overlap.own]);
+  const std::size_t other = 1 - overlap.own;
+  const std::string own = engine::name(model, Kind::kBody, overlap.met.bodies[overlap.own]);
   log(LogLevel::kWarning,
       format("the infant starts {:.1f} cm inside of {}, with its body \"{}\"; give it another place",
-             100 * overlap.depth, described(model, overlap.other), own));
+             100 * overlap.depth, described(model, overlap.met.geoms[other], overlap.met.bodies[other]), own));
 }
 
 }  // namespace mimo::scene

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/contacts.h"
 #include "engine/joints.h"
 
 namespace mimo::tasks {
@@ -101,12 +102,12 @@ std::size_t Selftouch::place(Who who, int side, int number) const {
 // Contacts count whatever their force.
 void Selftouch::evaluate(const engine::Physics& physics) {
   found_ = 0;
-  const mjData& data = physics.data();
-  for (int i = 0; i < data.ncon; ++i) {
-    const mjContact& contact = data.contact[i];
-    credit_palm(contact.geom1, contact.geom2);
-    credit_hand(contact.geom1, contact.geom2);
-    credit_hand(contact.geom2, contact.geom1);
+  for (const engine::Meeting& met : engine::Contacts(physics.model(), physics.data())) {
+    if (!met.is_of_geoms()) continue;  // no flex is part of a body
+    const auto [first, second] = met.geoms;
+    credit_palm(first, second);
+    credit_hand(first, second);
+    credit_hand(second, first);
   }
   terms_[0].value = touch_reward_ * found_;
 }

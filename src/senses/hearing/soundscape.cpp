@@ -44,15 +44,14 @@ sound::Ringing ringing_of(const sound::Strike& blow, const sound::Struck& body) 
 }
 
 // The two that meet, the smaller number first; what is welded together is one. The same twice where that is all.
-std::array<int, 2> bodies_of(const mjModel& model, const mjContact& contact) {
-  const int one = model.body_weldid[model.geom_bodyid[contact.geom1]];
-  const int other = model.body_weldid[model.geom_bodyid[contact.geom2]];
+std::array<int, 2> bodies_of(const mjModel& model, const engine::Meeting& met) {
+  const int one = model.body_weldid[met.bodies[0]], other = model.body_weldid[met.bodies[1]];
   return {std::min(one, other), std::max(one, other)};
 }
 
-std::array<sound::Struck, 2> sides_of(const mjModel& model, const Solids& solids, const mjContact& contact) {
-  return {struck(model, contact.geom1, solids[static_cast<std::size_t>(contact.geom1)]),
-          struck(model, contact.geom2, solids[static_cast<std::size_t>(contact.geom2)])};
+std::array<sound::Struck, 2> sides_of(const mjModel& model, const Solids& solids, const engine::Meeting& met) {
+  return {struck(model, met.geoms[0], solids[static_cast<std::size_t>(met.geoms[0])]),
+          struck(model, met.geoms[1], solids[static_cast<std::size_t>(met.geoms[1])])};
 }
 
 void direct(Source& source, const mjData& data, int body, const Direction& direction) {
@@ -155,18 +154,19 @@ void Soundscape::go_on(const mjModel& model, const mjData& data) {
 
 void Soundscape::find_blows(const mjModel& model, const mjData& data) {
   rub_count_ = 0;
-  for (int i = 0; i < data.ncon; ++i) {
-    const mjContact& contact = data.contact[i];
+  for (const engine::Meeting& met : engine::Contacts(model, data)) {
+    if (!met.is_of_geoms()) continue;  // a flex is soft, and silent
+    const mjContact& contact = data.contact[met.number];
     if (contact.dist >= contact.includemargin || contact.exclude == 1) continue;
-    slide(model, data, i);
-    const double speed = approach(model, data, contact);
+    slide(model, data, met);
+    const double speed = approach(model, data, met);
     if (speed < kSlowest) continue;
-    const double deep = contact.includemargin + engine::overlap_of(model, data, contact);
+    const double deep = contact.includemargin + engine::overlap_of(model, data, met);
     if (deep > kDeeper * speed * tick_) continue;
     // The tick ends now; it came together so much earlier.
     const double onset =
         static_cast<double>(now_) + static_cast<double>(samples_) - std::min(deep / speed, tick_) * rate_;
-    strike(model, contact, speed, onset);
+    strike(model, data, met, speed, onset);
   }
   scrape();
 }
@@ -183,13 +183,14 @@ Soundscape::Pair* Soundscape::meet(int first, int second, std::int64_t at) {
   return oldest;
 }
 
-void Soundscape::strike(const mjModel& model, const mjContact& contact, double approach, double onset) {
-  const auto [first, second] = bodies_of(model, contact);
+void Soundscape::strike(const mjModel& model, const mjData& data, const engine::Meeting& met, double approach,
+                        double onset) {
+  const auto [first, second] = bodies_of(model, met);
   if (first == second) return;
   const auto at = static_cast<std::int64_t>(onset);
   Pair* pair = meet(first, second, at);
   if (pair == nullptr) return;
-  const auto sides = sides_of(model, *solids_, contact);
+  const auto sides = sides_of(model, *solids_, met);
   const sound::Strike blow = sound::strike(sides[0], sides[1], approach);
   if (blow.mass <= 0) return;
   // Of the clicks the louder one: the two bodies' are opposite.
@@ -198,7 +199,7 @@ void Soundscape::strike(const mjModel& model, const mjContact& contact, double a
   bool sounds = false;
   for (int side = 0; side < 2; ++side) {
     Blow made;
-    made.place = Eigen::Vector3d(contact.pos);
+    made.place = Eigen::Vector3d(data.contact[met.number].pos);
     made.onset = onset;
     if ((side == 1) == of_second) made.click = clicks[side];
     made.ringing = ringing_of(blow, sides[side]);
@@ -228,13 +229,12 @@ void Soundscape::find_sources(const mjData& data) {
   }
 }
 
-void Soundscape::slide(const mjModel& model, const mjData& data, int number) {
-  const mjContact& contact = data.contact[number];
-  const sound::Sliding found = sliding(model, data, number);
+void Soundscape::slide(const mjModel& model, const mjData& data, const engine::Meeting& met) {
+  const sound::Sliding found = sliding(model, data, met);
   if (found.speed <= sound::kSlowestScrape) return;
-  const auto [first, second] = bodies_of(model, contact);
+  const auto [first, second] = bodies_of(model, met);
   if (first == second) return;
-  const auto sides = sides_of(model, *solids_, contact);
+  const auto sides = sides_of(model, *solids_, met);
   const sound::ScrapeLevel level = sound::scrape_level(sides[0], sides[1], found);
   Rub* rub = level.pressure > 0 ? rub_of(first, second) : nullptr;
   if (rub == nullptr) return;
@@ -242,7 +242,7 @@ void Soundscape::slide(const mjModel& model, const mjData& data, int number) {
   rub->power += power;
   rub->speed += power * found.speed;
   rub->corner += power * level.corner;
-  rub->place += power * Eigen::Vector3d(contact.pos);
+  rub->place += power * Eigen::Vector3d(data.contact[met.number].pos);
 }
 
 Soundscape::Rub* Soundscape::rub_of(int first, int second) {

@@ -13,7 +13,9 @@
 #include "sound/scrape.h"
 #include "sound/vocal.h"
 
-typedef struct mjContact_ mjContact;
+namespace mimo::engine {
+struct Meeting;
+}
 
 namespace mimo::senses {
 
@@ -95,7 +97,7 @@ class Soundscape : public observation::Process {
   void load(ByteReader& from) override;
 
   void find_blows(const mjModel& model, const mjData& data);
-  void slide(const mjModel& model, const mjData& data, int contact);
+  void slide(const mjModel& model, const mjData& data, const engine::Meeting& met);
   Rub* rub_of(int first, int second);  // null where too many others slide
   // What has come together goes on, or begins.
   void scrape();
@@ -108,7 +110,7 @@ class Soundscape : public observation::Process {
   void load_made(ByteReader& from);
   // The pair's place in memory, or one that may be given to it; null where they have met too lately.
   Pair* meet(int first, int second, std::int64_t at);
-  void strike(const mjModel& model, const mjContact& contact, double approach, double onset);
+  void strike(const mjModel& model, const mjData& data, const engine::Meeting& met, double approach, double onset);
   void add_blow(const hearing::Blow& blow);
   void find_sources(const mjData& data);
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/angle.h"
+#include "engine/contacts.h"
 
 namespace mimo::senses {
 namespace {
@@ -78,29 +79,30 @@ sound::Struck struck(const mjModel& model, int geom, const sound::Solid& solid) 
   return made;
 }
 
-double approach(const mjModel& model, const mjData& data, const mjContact& contact) {
+double approach(const mjModel& model, const mjData& data, const engine::Meeting& met) {
+  const mjContact& contact = data.contact[met.number];
   const Vec3 point(contact.pos), normal(contact.frame);  // from the first geom to the second
-  const Vec3 first = velocity(model, data, model.geom_bodyid[contact.geom1], point);
-  const Vec3 second = velocity(model, data, model.geom_bodyid[contact.geom2], point);
+  const Vec3 first = velocity(model, data, met.bodies[0], point);
+  const Vec3 second = velocity(model, data, met.bodies[1], point);
   return (first - second).dot(normal);
 }
 
-sound::Sliding sliding(const mjModel& model, const mjData& data, int number) {
-  const mjContact& contact = data.contact[number];
-  const int first = model.geom_bodyid[contact.geom1], second = model.geom_bodyid[contact.geom2];
+sound::Sliding sliding(const mjModel& model, const mjData& data, const engine::Meeting& met) {
+  const mjContact& contact = data.contact[met.number];
+  const auto [first, second] = met.bodies;
   const Vec3 point(contact.pos), normal(contact.frame);
   const Vec3 slip = velocity(model, data, first, point) - velocity(model, data, second, point);
   sound::Sliding made;
   made.speed = (slip - slip.dot(normal) * normal).norm();
   if (made.speed <= sound::kSlowestScrape) {
     const Vec3 spin = Vec3(data.cvel + 6 * first) - Vec3(data.cvel + 6 * second);
-    const double curvature = roundness(model, contact.geom1) + roundness(model, contact.geom2);
+    const double curvature = roundness(model, met.geoms[0]) + roundness(model, met.geoms[1]);
     made.speed = curvature > 0 ? (spin - spin.dot(normal) * normal).norm() / curvature : 0;
     made.rolls = true;
   }
   if (made.speed <= sound::kSlowestScrape) return {};
   mjtNum force[6];
-  mj_contactForce(&model, &data, number, force);
+  mj_contactForce(&model, &data, met.number, force);
   made.force = force[0];
   return made;
 }

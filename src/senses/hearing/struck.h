@@ -6,7 +6,10 @@
 
 typedef struct mjModel_ mjModel;
 typedef struct mjData_ mjData;
-typedef struct mjContact_ mjContact;
+
+namespace mimo::engine {
+struct Meeting;
+}
 
 namespace mimo::senses {
 
@@ -16,9 +19,9 @@ sound::Struck struck(const mjModel& model, int geom, const sound::Solid& solid);
 
 // How fast the two geoms of a contact come nearer, m/s: of the start of the last physics step. Forces of contacts,
 // which MuJoCo spreads over tens of milliseconds, would tell nothing of sound.
-double approach(const mjModel& model, const mjData& data, const mjContact& contact);
+double approach(const mjModel& model, const mjData& data, const engine::Meeting& met);
 
 // How the two geoms of a contact slide on each other or roll: of the start of the last physics step.
-sound::Sliding sliding(const mjModel& model, const mjData& data, int contact);
+sound::Sliding sliding(const mjModel& model, const mjData& data, const engine::Meeting& met);
 
 }  // namespace mimo::senses

@@ -111,7 +111,7 @@ void Afferents::tell(std::size_t place, const Rattle::Slide& slide, const Things
   const auto value = [&](Column column) { return table_[column][place]; };
   double ra = receptors::ra_rate(value(kSpeed)), pc = value(kJolts);
   if (slide.speed > slip_threshold_ && slide.other >= 0) {
-    const Thing& thing = things.by_geom[static_cast<std::size_t>(slide.other)];
+    const Thing& thing = things[slide.other];
     ra += receptors::ra_of_sliding(slide.speed, {thing.wavelength, thing.amplitude});
     pc += receptors::pc_of_sliding(slide.speed, {thing.wavelength, thing.amplitude});
   }

@@ -22,6 +22,7 @@ int faces_at(const Vec3& point, const double* half) {
 // 1/m; 0 is flat.
 double curvature(const mjModel& model, const mjData& data, const Surfaced& surface, const Vec3& point) {
   const int geom = surface.geom;
+  if (geom < 0) return 0;
   const double* size = model.geom_size + 3 * geom;
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(data.geom_xmat + 9 * geom);
   const Vec3 local = frame.transpose() * (point - Vec3(data.geom_xpos + 3 * geom));

@@ -8,7 +8,7 @@ namespace mimo::senses::touch {
 
 // A box or cylinder that stands for flesh has no edges: it is as round there as it is thin.
 struct Surfaced {
-  int geom;
+  int geom;  // -1: a flex, which is flat where it touches
   bool is_flesh;
 };
 

@@ -17,18 +17,17 @@ void Felt::take_in(const mjModel& model, const mjData& data) {
   for (const int sensor : sensors_) feelings_[static_cast<std::size_t>(sensor)] = {};
   sensors_.clear();
   pricks_.clear();
-  for (int i = 0; i < data.ncon; ++i) {
-    const int first = data.contact[i].geom1, second = data.contact[i].geom2;
-    const bool at_first = skin_.covers(model.geom_bodyid[first]), at_second = skin_.covers(model.geom_bodyid[second]);
+  for (const engine::Meeting& met : engine::Contacts(model, data)) {
+    const bool at_first = skin_.covers(met, 0), at_second = skin_.covers(met, 1);
     if (!at_first && !at_second) continue;
-    const auto force = pressing(model, data, i);
+    const auto force = pressing(model, data, met.number);
     if (!force) continue;
-    if (at_first) add(model, data, press_on(model, data, i, *force, Side::kFirst), second);
-    if (at_second) add(model, data, press_on(model, data, i, *force, Side::kSecond), first);
+    if (at_first) add(model, data, press_on(model, data, met, *force, Side::kFirst));
+    if (at_second) add(model, data, press_on(model, data, met, *force, Side::kSecond));
   }
 }
 
-void Felt::add(const mjModel& model, const mjData& data, const Press& press, int other_geom) {
+void Felt::add(const mjModel& model, const mjData& data, const Press& press) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> rotation(data.xmat + 9 * press.body);
   const Vec3 point = rotation.transpose() * (press.point - Vec3(data.xpos + 3 * press.body));
   const Vec3 force = rotation.transpose() * press.force;
@@ -47,7 +46,7 @@ void Felt::add(const mjModel& model, const mjData& data, const Press& press, int
         share.weight * (skin_.sensors()[static_cast<std::size_t>(share.sensor)].frame.bottomRows<2>() * force);
     if (normal > feeling.strongest) {
       feeling.strongest = normal;
-      feeling.other = other_geom;
+      feeling.other = press.other_thing;
     }
     if (share.weight > most) {
       most = share.weight;
@@ -55,9 +54,8 @@ void Felt::add(const mjModel& model, const mjData& data, const Press& press, int
     }
   }
   if (!wanted_.pricks || nearest < 0 || pricks_.size() == pricks_.capacity()) return;
-  const bool meets_flesh =
-      skin_.covers(model.geom_bodyid[other_geom]) || things_.by_geom[static_cast<std::size_t>(other_geom)].is_flesh;
-  const double radius = curvature_radius(model, data, {press.geom, true}, {other_geom, meets_flesh}, press.point);
+  const bool meets_flesh = skin_.covers(press.other) || things_[press.other_thing].is_flesh;
+  const double radius = curvature_radius(model, data, {press.geom, true}, {press.other_geom, meets_flesh}, press.point);
   pricks_.push_back({nearest, receptors::contact_pressure(press.normal_force, radius)});
 }
 

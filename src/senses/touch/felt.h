@@ -16,7 +16,7 @@ struct Feeling {
   double sliding = 0;                                 // m/s, weighted by the normal force: divide by it
   double lift = 0;                                    // m/s, with which friction of what slides may throw it off
   double strongest = 0;                               // normal force of the contact that presses it most, N
-  int other = -1;                                     // and the geom that does
+  int other = -1;                                     // and the thing that does, as things.h counts
 };
 
 // Where something presses: the nearest sensor, and how hard in Pa.
@@ -41,7 +41,7 @@ class Felt {
   const std::vector<Prick>& pricks() const { return pricks_; }
 
  private:
-  void add(const mjModel& model, const mjData& data, const Press& press, int other_geom);
+  void add(const mjModel& model, const mjData& data, const Press& press);
 
   const Skin& skin_;
   const Things& things_;

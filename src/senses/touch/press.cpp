@@ -38,19 +38,21 @@ std::optional<ContactForce> pressing(const mjModel& model, const mjData& data, i
   return force;
 }
 
-Press press_on(const mjModel& model, const mjData& data, int contact_id, const ContactForce& force, Side side) {
-  const mjContact& contact = data.contact[contact_id];
+Press press_on(const mjModel& model, const mjData& data, const engine::Meeting& met, const ContactForce& force,
+               Side side) {
+  const mjContact& contact = data.contact[met.number];
   const bool first = side == Side::kFirst;
   const double sign = first ? 1 : -1;
   const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(contact.frame);
   const Vec3 normal = frame.row(0).transpose();
-  const int bodies[] = {model.geom_bodyid[contact.geom1], model.geom_bodyid[contact.geom2]};
   Press press;
-  press.body = bodies[first ? 0 : 1];
-  press.other = bodies[first ? 1 : 0];
-  press.geom = first ? contact.geom1 : contact.geom2;
+  press.body = met.bodies[first ? 0 : 1];
+  press.other = met.bodies[first ? 1 : 0];
+  press.geom = met.geoms[first ? 0 : 1];
+  press.other_geom = met.geoms[first ? 1 : 0];
+  press.other_thing = press.other_geom >= 0 ? press.other_geom : model.ngeom + met.flexes[first ? 1 : 0];
   // MuJoCo's point lies midway between the surfaces.
-  press.point = Vec3(contact.pos) + sign * 0.5 * engine::overlap_of(model, data, contact) * normal;
+  press.point = Vec3(contact.pos) + sign * 0.5 * engine::overlap_of(model, data, met) * normal;
   press.normal = sign * normal;
   press.force = -sign * (frame.transpose() * Vec3(force.data()));
   press.normal_force = force[0];

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/contacts.h"
 #include "engine/physics.h"
 #include "senses/touch/shape.h"
 
@@ -13,6 +14,8 @@ enum class Side { kFirst, kSecond };  // of MuJoCo's pair of geoms
 struct Press {
   int body, geom;
   int other;            // the body that touches
+  int other_geom;       // -1 for a flex
+  int other_thing;      // as things.h counts
   Vec3 point;           // on the body's own surface; world, m
   Vec3 normal;          // from this body to the other; world
   Vec3 force;           // on this body; world, N
@@ -25,7 +28,8 @@ struct Press {
 using ContactForce = std::array<double, 6>;
 std::optional<ContactForce> pressing(const mjModel& model, const mjData& data, int contact);
 
-Press press_on(const mjModel& model, const mjData& data, int contact, const ContactForce& force, Side side);
+Press press_on(const mjModel& model, const mjData& data, const engine::Meeting& met, const ContactForce& force,
+               Side side);
 
 // How the touching surface slides over the body's at the point: velocity without the part along the normal; world, m/s.
 Vec3 slip_velocity(const mjModel& model, const mjData& data, const Press& press);

@@ -14,9 +14,9 @@ constexpr double kGravity = 9.81;     // m/s^2
 
 }  // namespace
 
-Rattle::Rattle(std::size_t sensors, std::size_t geoms, double tick)
+Rattle::Rattle(std::size_t sensors, std::size_t things, double tick)
     : Process("sliding touch"),
-      geoms_(static_cast<double>(geoms)),
+      things_(static_cast<double>(things)),
       tick_(tick),
       kept_(std::exp(-tick / kStage)),
       table_(sensors) {}
@@ -76,7 +76,7 @@ void Rattle::load(ByteReader& from) {
   for (std::size_t sensor = 0; sensor < table_.sensor_count(); ++sensor) {
     std::array<double, kStates> state;
     for (double& number : state) number = from.take_finite("a sliding touch");
-    require(state[kOther] >= -1 && state[kOther] < geoms_,
+    require(state[kOther] >= -1 && state[kOther] < things_,
             "the state holds {} for what slides over skin, expected a geom", state[kOther]);
     if (state[kDoubt] <= 0 && state[kAir] <= 0) continue;
     const std::size_t place = table_.add(static_cast<int>(sensor));

@@ -18,8 +18,8 @@ namespace mimo::senses::touch {
 
 class Rattle : public observation::Process {
  public:
-  // `geoms` are those of the model; `tick` is the time from one advance to the next, s.
-  Rattle(std::size_t sensors, std::size_t geoms, double tick);
+  // `things` is how many the model has; `tick` is the time from one advance to the next, s.
+  Rattle(std::size_t sensors, std::size_t things, double tick);
 
   // What each sensor feels at this tick, and its force as skin has smoothed it, by sensor.
   template <typename Smoothed>
@@ -48,7 +48,7 @@ class Rattle : public observation::Process {
       take(table_.sensors()[i], table_[kSharpness][i] * std::cbrt(table_[kTold][i]));
     }
   }
-  // What slides over a sensor, also while it hops: a geom, -1 for none, and how fast, m/s.
+  // What slides over a sensor, also while it hops: which of things.h, -1 for none, and how fast, m/s.
   struct Slide {
     double speed;
     int other;
@@ -65,7 +65,7 @@ class Rattle : public observation::Process {
     kDoubt = kMean + kStages,  // time for which it is yet told, s
     kAir,                      // time for which it may yet be in the air, s
     kSpeed,                    // of what slides, m/s
-    kOther,                    // and its geom
+    kOther,                    // and which thing it is
     kSharpness,                // of what pricks: its pressure over the cube root of the force, Pa
     kStates,                   // those above are remembered
     kTold = kStates,           // N
@@ -80,7 +80,7 @@ class Rattle : public observation::Process {
   }
   void settle(std::size_t place, const Feeling& feeling, double smoothed);
 
-  double geoms_, tick_, kept_;
+  double things_, tick_, kept_;
   Restless<kColumns> table_;
 };
 

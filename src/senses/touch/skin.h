@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "engine/contacts.h"
 #include "senses/touch/point_tree.h"
 #include "senses/touch/sensors.h"
 #include "senses/touch/unfold.h"
@@ -23,6 +24,10 @@ class Skin {
   const std::vector<Sensor>& sensors() const { return sensors_; }
 
   bool covers(int body) const { return part_of_body_[static_cast<std::size_t>(body)] != kNone; }
+  // A side of a contact; no flex has skin.
+  bool covers(const engine::Meeting& met, std::size_t side) const {
+    return met.geoms[side] >= 0 && covers(met.bodies[side]);
+  }
   // How far apart sensors are now.
   double spacing(int body) const { return part(body).spacing; }
 

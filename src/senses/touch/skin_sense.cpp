@@ -180,7 +180,7 @@ std::vector<Signal> Nerves::signals(const SkinReceptorOptions& wanted) const {
 std::unique_ptr<observation::Sense> make_skin_sense(const mjModel& model, const body::Body& body,
                                                     std::shared_ptr<const touch::Skin> skin,
                                                     const TouchOptions& options, touch::ThingsPtr things, double tick) {
-  auto rattle = std::make_unique<touch::Rattle>(skin->sensors().size(), static_cast<std::size_t>(model.ngeom), tick);
+  auto rattle = std::make_unique<touch::Rattle>(skin->sensors().size(), things->all.size(), tick);
   auto nerves = std::make_unique<Nerves>(model, body, std::move(skin), options, std::move(things), *rattle, tick);
   auto sense = std::make_unique<observation::Signals>(observation::Share::kTouch, nerves->signals(options.receptors));
   sense->keep(std::move(rattle));

@@ -13,9 +13,12 @@ struct Thing {
   double wavelength = 0, amplitude = 0;  // of its texture, m
 };
 
+// The geoms of a model, and after them its flexes.
 struct Things {
-  double air = 24;             // degrees Celsius
-  std::vector<Thing> by_geom;  // of the model
+  double air = 24;  // degrees Celsius
+  std::vector<Thing> all;
+
+  const Thing& operator[](int number) const { return all[static_cast<std::size_t>(number)]; }
 };
 
 using ThingsPtr = std::shared_ptr<const Things>;

@@ -106,14 +106,13 @@ int Touch::add(bool wanted, const char* name, std::size_t width, const char* uni
 void Touch::write(const mjModel& model, const mjData& data, std::uint8_t* block) {
   for (const observation::Field& field : fields_) std::fill_n(block + field.offset, field.bytes(), std::uint8_t{0});
   if (fields_.empty()) return;
-  for (int i = 0; i < data.ncon; ++i) {
-    const bool first = skin_->covers(model.geom_bodyid[data.contact[i].geom1]);
-    const bool second = skin_->covers(model.geom_bodyid[data.contact[i].geom2]);
+  for (const engine::Meeting& met : engine::Contacts(model, data)) {
+    const bool first = skin_->covers(met, 0), second = skin_->covers(met, 1);
     if (!first && !second) continue;
-    const auto force = touch::pressing(model, data, i);
+    const auto force = touch::pressing(model, data, met.number);
     if (!force) continue;
-    if (first) feel(model, data, press_on(model, data, i, *force, Side::kFirst), block);
-    if (second) feel(model, data, press_on(model, data, i, *force, Side::kSecond), block);
+    if (first) feel(model, data, press_on(model, data, met, *force, Side::kFirst), block);
+    if (second) feel(model, data, press_on(model, data, met, *force, Side::kSecond), block);
   }
   finish_means(block);
 }

@@ -83,7 +83,7 @@ void Warmth::touch(int sensor, int other) {
 }
 
 void Warmth::begin(std::size_t place, int other, double before) {
-  const Thing& thing = things_.by_geom[static_cast<std::size_t>(other)];
+  const Thing& thing = things_[other];
   const receptors::Touching touching = receptors::touching(before, thing.temperature, thing.effusivity);
   touched_[kBefore][place] = touching.before;
   touched_[kSwing][place] = touching.swing;
@@ -185,8 +185,8 @@ void Warmth::load(ByteReader& from) {
     std::array<double, 5> state;  // the columns that are free, before, since
     for (double& number : state) number = from.take_finite("skin's temperature");
     const auto other = from.take<std::int32_t>();
-    const auto geoms = static_cast<std::int64_t>(things_.by_geom.size());
-    require(other < geoms && state[4] >= 0, "the state holds skin that geom {} touches for {} s", other, state[4]);
+    const auto things = static_cast<std::int64_t>(things_.all.size());
+    require(other < things && state[4] >= 0, "the state holds skin that geom {} touches for {} s", other, state[4]);
     const auto put = [&](auto& table) {
       const std::size_t place = table.add(static_cast<int>(sensor));
       for (std::size_t column = 0; column < kFreeColumns; ++column) table[column][place] = state[column];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/contacts.h"
 #include "engine/ground.h"
 #include "engine/physics.h"
 #include "support/numbers.h"
@@ -30,8 +31,8 @@ double overlap_at(engine::Physics& physics, double height) {
   physics.data().qpos[0] = height;
   physics.forward();
   double deepest = 0;
-  for (int i = 0; i < physics.data().ncon; ++i) {
-    deepest = std::max(deepest, engine::overlap_of(physics.model(), physics.data(), physics.data().contact[i]));
+  for (const engine::Meeting& met : engine::Contacts(physics.model(), physics.data())) {
+    deepest = std::max(deepest, engine::overlap_of(physics.model(), physics.data(), met));
   }
   return deepest;
 }
@@ -77,12 +78,12 @@ TEST(Overlap, IsThatOfEachCorner) {
     physics.forward();
     const mjData& data = physics.data();
     int left = 0, right = 0;
-    for (int i = 0; i < data.ncon; ++i) {
-      const mjContact& contact = data.contact[i];
+    for (const engine::Meeting& met : engine::Contacts(physics.model(), data)) {
+      const mjContact& contact = data.contact[met.number];
       ++(contact.pos[1] > 0 ? left : right);
       const double side = contact.pos[1] > 0 ? 1 : -1;  // what leans over goes up there
       const double corner = middle + side * half * std::sin(lean) - half * std::cos(lean);
-      EXPECT_NEAR(engine::overlap_of(physics.model(), data, contact), -corner, 1e-9) << under << side;
+      EXPECT_NEAR(engine::overlap_of(physics.model(), data, met), -corner, 1e-9) << under << side;
     }
     EXPECT_EQ(left, 2) << under;
     EXPECT_EQ(right, 2) << under;

@@ -135,7 +135,8 @@ TEST(TouchFeel, ThePointLiesOnTheOwnSurfaceOfEither) {
   const auto force = pressing(physics.model(), physics.data(), 0);
   ASSERT_TRUE(force);
   for (const Side side : {Side::kFirst, Side::kSecond}) {
-    const Press press = press_on(physics.model(), physics.data(), 0, *force, side);
+    const Press press =
+        press_on(physics.model(), physics.data(), engine::meeting(physics.model(), physics.data(), 0), *force, side);
     const Vec3 local =
         feeler.rotation(press.body).transpose() * (press.point - Vec3(physics.data().xpos + 3 * press.body));
     EXPECT_NEAR(press.body == kCubeBody ? local.z() : local.norm(), press.body == kCubeBody ? 0.05 : 0.02, 1e-9);

@@ -384,9 +384,9 @@ pub const MIMO_LIGHT_POSITION: u32 = 31;
 pub const MIMO_LIGHT_DIRECTION: u32 = 32;
 #[doc = "Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W."]
 pub const MIMO_LIGHT_COLOR: u32 = 33;
-#[doc = "Contact: 2, ids of geom 1 and geom 2."]
+#[doc = "Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4)."]
 pub const MIMO_CONTACT_GEOMS: u32 = 34;
-#[doc = "Contact: 2, ids of their bodies."]
+#[doc = "Contact: 2, ids of their bodies; of a flex that of the nearest vertex."]
 pub const MIMO_CONTACT_BODIES: u32 = 35;
 #[doc = "Contact: 3, world, m."]
 pub const MIMO_CONTACT_POSITION: u32 = 36;
@@ -398,7 +398,7 @@ pub const MIMO_CONTACT_DISTANCE: u32 = 38;
 pub const MIMO_CONTACT_FORCE: u32 = 39;
 #[doc = "Contact: 3, on the second body, in the contact's frame, Nm."]
 pub const MIMO_CONTACT_TORQUE: u32 = 40;
-#[doc = "Step contact: 2, ids of geom 1 and geom 2."]
+#[doc = "Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4)."]
 pub const MIMO_STEP_CONTACT_GEOMS: u32 = 41;
 #[doc = "Step contact: 2, ids of their bodies."]
 pub const MIMO_STEP_CONTACT_BODIES: u32 = 42;
@@ -1214,7 +1214,7 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Sets how warm a body of the scene is, with all that hangs on it; it stays so whatever touches it. Where several calls"]
-    #[doc = "concern a body, the last one counts."]
+    #[doc = "concern a body, the last one counts. A flex of MuJoCo 4 hangs on a body if all its vertices do."]
     #[doc = "@param body    its name in the model, \"cup\", \"anna/left_hand\"."]
     #[doc = "@param celsius -273.15 (absolute zero) to 1000."]
     #[doc = "Errors: a body that the model does not have is MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach."]
