@@ -1,7 +1,6 @@
 // The kernels for the baseline, and which sets of kernels this build has for this machine.
-#include "rays/kernels-inl.h"
-
 #include "base/processor.h"
+#include "rays/kernels-inl.h"
 
 namespace mimo::rays {
 
