@@ -78,8 +78,8 @@ fn build() -> PathBuf {
         fail("there is no libmimo for this target in the feature `bundled`; install it, and set MIMO_LIB_DIR to its folder");
     }
     let sources = sources.canonicalize().expect("it is there");
-    let own = || PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
-    let out = env::var_os("MIMO_BUILD_DIR").map_or_else(own, PathBuf::from);
+    let own = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
+    let out = env::var_os("MIMO_BUILD_DIR").map_or(own.clone(), PathBuf::from);
     for part in ["CMakeLists.txt", "cmake", "include", "models", "src"] {
         println!("cargo:rerun-if-changed={}", sources.join(part).display());
     }
@@ -96,7 +96,19 @@ fn build() -> PathBuf {
         .args(further.split_whitespace()));
     let jobs = env::var("NUM_JOBS").unwrap_or_else(|_| "1".into());
     run(Command::new("cmake").arg("--build").arg(&out).args(["--target", "mimo", "--parallel", &jobs]));
-    out.join("lib")
+    if out != own {
+        bring(&out.join("lib"), &own.join("lib"));
+    }
+    own.join("lib")
+}
+
+/// Programs that cargo runs look for libraries in its own folders only.
+fn bring(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).expect("cargo's folder can be written");
+    for entry in std::fs::read_dir(from).expect("the library was built there") {
+        let file = entry.expect("a file").path();
+        std::fs::copy(&file, to.join(file.file_name().expect("a name"))).expect("cargo's folder can be written");
+    }
 }
 
 fn run(command: &mut Command) {
