@@ -107,7 +107,8 @@ fn bring(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).expect("cargo's folder can be written");
     for entry in std::fs::read_dir(from).expect("the library was built there") {
         let file = entry.expect("a file").path();
-        std::fs::copy(&file, to.join(file.file_name().expect("a name"))).expect("cargo's folder can be written");
+        std::fs::copy(&file, to.join(file.file_name().expect("a name")))
+            .expect("cargo's folder can be written");
     }
 }
 
