@@ -77,7 +77,7 @@ LICENCES = {
     "libtinyxml2": "tinyxml2",
     "libpng16": "png16",
 }
-NOT_INSIDE = {"Threads", "GTest"}
+NOT_INSIDE = {"Threads", "GTest", "ZLIB"}  # not inside the wheel, or every system's own
 
 
 @installed

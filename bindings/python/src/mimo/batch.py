@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack
 
 from . import _abi
-from ._handle import Native
+from ._handle import IN_MAIN, Native
 from ._library import LIB, check, message_text, raise_error
 from .access import Access, Mask
 from .ages import Age, changed, growths, listed
@@ -53,12 +53,15 @@ class Row:
 _working: "weakref.WeakSet[Batch]" = weakref.WeakSet()  # batches of which a step was sent
 
 
-@atexit.register
 def _wait_for_sent() -> None:
     """Later a task in Python would end the batch's threads, and these the process, as Python has ended."""
     for batch in list(_working):
         if not batch.closed:
             batch.drop_sent()
+
+
+if IN_MAIN:  # any other interpreter that waits here gets Python's lock never again, where the process ends
+    atexit.register(_wait_for_sent)
 
 
 class Batch(Access):
