@@ -8,6 +8,10 @@ namespace mimo {
 // system does not tell the two apart.
 bool is_unloading();
 
+// To be called once something is there that an unloaded library has to give back, never while the library is loaded:
+// tells the process's end from unloading for libraries that a program is linked with.
+void watch_the_end();
+
 // Calls a function while the library is unloaded. For objects with static lifetime.
 class AtUnload {
  public:

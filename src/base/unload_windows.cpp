@@ -18,4 +18,6 @@ namespace mimo {
 
 bool is_unloading() { return unloading; }
 
+void watch_the_end() {}
+
 }  // namespace mimo

@@ -101,6 +101,7 @@ void* room_for_control() {
   for (;;) {
     Drawer* drawer = open_drawer.load();
     if (void* place = drawer == nullptr ? nullptr : drawer->take()) return place;
+    watch_the_end();
     auto next = std::make_unique<Drawer>(drawer);
     if (open_drawer.compare_exchange_strong(drawer, next.get())) next.release();
   }
