@@ -64,7 +64,7 @@ class Inflater {
 
  private:
   z_stream stream_ = {};
-  std::array<Bytef, 65536> room_;
+  std::array<Bytef, 8192> room_;  // on stacks of 128 KiB, which hosts may have
   double out_ = 0;
 };
 
