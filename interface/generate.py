@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""generate.py [--check] [TARGET...]: renews interface.json and all files that are made of it, or only some targets'.
+
+A target is a module of targets/ with a function files(api), which gives the text of each of its files. With --check
+nothing is written: says which files are not what they should be, and fails if there are any.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import json
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+sys.path.insert(0, str(HERE))
+
+import api  # noqa: E402
+import describe  # noqa: E402
+
+
+def targets():
+    return sorted(path.stem for path in (HERE / "targets").glob("*.py") if not path.stem.startswith("_"))
+
+
+def made(names):
+    """All files of the targets, and interface.json: path from the repository's root, and text."""
+    text = describe.text()
+    files = {"interface/interface.json": text}
+    interface = api.from_data(json.loads(text))
+    for name in names:
+        files |= importlib.import_module(f"targets.{name}").files(interface)
+    return files
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split(":")[1].split(".")[0].strip())
+    parser.add_argument("--check", action="store_true", help="write nothing; fail where files differ")
+    parser.add_argument("targets", nargs="*", metavar="TARGET", help=f"one of {', '.join(targets())}; none: all")
+    arguments = parser.parse_args()
+    for name in arguments.targets:
+        if name not in targets():
+            parser.error(f"there is no target {name}, only {', '.join(targets())}")
+    try:
+        files = made(arguments.targets or targets())
+    except describe.Undescribable as error:
+        sys.exit(f"interface: {error}")
+    wrong = []
+    for name, text in files.items():
+        path = ROOT / name
+        if path.exists() and path.read_text(encoding="utf-8") == text:
+            continue
+        wrong.append(name)
+        if not arguments.check:
+            path.write_text(text, encoding="utf-8")
+            print(f"renewed {name}")
+    if arguments.check and wrong:
+        sys.exit(f"not what interface/generate.py makes: {', '.join(wrong)}; run ./dev interface")
+
+
+main()
