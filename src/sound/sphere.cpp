@@ -116,12 +116,12 @@ void Filter::save(ByteWriter& to) const {
 }
 
 void Filter::load(ByteReader& from) {
-  constexpr float kLargest = 1e6F;  // Pa
+  constexpr float kLoudest = 1e6F;  // Pa
   from.take(Span<float>(x_, 2));
   from.take(Span<float>(y_, 2));
   for (const float* two : {x_, y_}) {
-    const bool sane = std::abs(two[0]) <= kLargest && std::abs(two[1]) <= kLargest;  // no NaN either
-    require(sane, "the state holds a sound that cannot be");
+    const bool sane = std::abs(two[0]) <= kLoudest && std::abs(two[1]) <= kLoudest;  // no NaN either
+    require(sane, "corrupt state: a sound is out of range");
   }
 }
 
