@@ -1,6 +1,6 @@
 /**
  * @file mimo/access.h
- * Named access, for rewards and experiments of one's own. Look ids up once, then read and write many at a time.
+ * Named access, for custom rewards and experiments. Look ids up once, then read and write many values at a time.
  */
 #ifndef MIMO_ACCESS_H
 #define MIMO_ACCESS_H
@@ -155,40 +155,40 @@ extern "C" {
  * are -1 only where a host's mjData holds a contact of no thing.
  */
 
-/** How many of a kind (MIMO_BODY ...) the world has. */
+/** Number of elements of a kind (MIMO_BODY ...) in the world. */
 MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
 
 /**
- * Finds something by its name.
- * Errors: MIMO_E_NOT_FOUND; the message lists names that are there.
+ * Finds an element by its name.
+ * Errors: MIMO_E_NOT_FOUND; the message lists existing names.
  */
 MIMO_API mimo_status mimo_env_find(const mimo_env *env, int32_t kind, const char *name, int32_t *id) MIMO_NOEXCEPT;
 
-/** Name of something; "" where there is none. The string is owned by the environment. */
+/** Name of an element; "" if it has none. The string is owned by the environment. */
 MIMO_API mimo_status mimo_env_name(const mimo_env *env, int32_t kind, int32_t id, const char **name) MIMO_NOEXCEPT;
 
 /** The body that a joint, geom, site, camera or light belongs to, or the parent of a body. */
 MIMO_API mimo_status mimo_env_body_of(const mimo_env *env, int32_t kind, int32_t id, int32_t *body) MIMO_NOEXCEPT;
 
 /**
- * How many values a quantity (MIMO_JOINT_POSITION ...) has for a list of ids together.
+ * Number of values of a quantity (MIMO_JOINT_POSITION ...) for a list of ids together.
  * @param ids NULL with id_count 0: all of the quantity's kind.
  */
 MIMO_API mimo_status mimo_env_width(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
                                     size_t *value_count) MIMO_NOEXCEPT;
 
 /**
- * Reads a quantity of many at once, one after the other.
- * What is never computed (positions and velocities of joints, controls, forces that you apply, and all of W) is
- * current. Poses, positions, orientations, centres of mass and velocities of bodies belong to where the last physics
- * step started, or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or
- * set position, if that came later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and
- * contacts are computed by physics steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and
- * mimo_env_look_angles look at the current positions and change none of these values.
+ * Reads a quantity of many elements at once, one after the other.
+ * Values that are not computed (positions and velocities of joints, controls, applied forces, and all marked W) are
+ * current. Poses, positions, orientations, centres of mass and velocities of bodies belong to the start of the last
+ * physics step, or to the last reset, mimo_env_observe, mimo_env_update, loaded state or set position if that came
+ * later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and contacts are computed by physics
+ * steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and mimo_env_look_angles use the current
+ * positions and change none of these values.
  * @param quantity    may have MIMO_NOW.
  * @param ids         NULL with id_count 0: all of the quantity's kind.
  * @param value_count length of values, as mimo_env_width gives it.
- * Errors: MIMO_E_INVALID_ARGUMENT for MIMO_NOW with what physics steps compute.
+ * Errors: MIMO_E_INVALID_ARGUMENT for MIMO_NOW with a quantity that only physics steps compute.
  */
 MIMO_API mimo_status mimo_env_get(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
                                   double *values, size_t value_count) MIMO_NOEXCEPT;
@@ -198,21 +198,21 @@ MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, int32_t quantity, c
                                         float *values, size_t value_count) MIMO_NOEXCEPT;
 
 /**
- * Writes a quantity of many at once. Quaternions and directions are normalised. When joints, bodies or lights were
- * moved, the poses of everything are recomputed (as by mimo_env_update); a moved body keeps its velocity.
- * A lock holds its joint softly, from the next step on; the angle lies within the joint's range.
- * Masses cost about as much as several physics steps, however many are given at once.
+ * Writes a quantity of many elements at once; of an id that occurs twice the last value applies. Quaternions and
+ * directions are normalised. Moving joints, bodies or lights recomputes all poses (as mimo_env_update does); a moved
+ * body keeps its velocity. A lock holds its joint by a soft constraint from the next step on; the angle must lie within
+ * the joint's range. Setting masses costs about as much as several physics steps, independent of their number.
  * @param ids NULL with id_count 0: all of the quantity's kind.
- * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its
- *         range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position
- *         control; for a light that follows a body; for the face of an agent without faces. Nothing is written then.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, and for values that are not finite or out of
+ *         range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality for it, or under position control; for a
+ *         light that follows a body; for the face of an agent without faces. Nothing is written then.
  */
 MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
                                   const double *values, size_t value_count) MIMO_NOEXCEPT;
 
 /**
- * Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get gives those of now
- * until the next step. The trajectory stays as it was.
+ * Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get returns current
+ * poses until the next step. The trajectory does not change.
  */
 MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;
 

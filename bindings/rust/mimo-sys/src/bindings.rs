@@ -10,33 +10,33 @@ pub const MIMO_VERSION_MINOR: u32 = 0;
 pub const MIMO_VERSION_PATCH: u32 = 0;
 #[doc = "\"-rc1\" of the first candidate, \"\" of a release; the end of mimo_version()."]
 pub const MIMO_VERSION_LABEL: &[u8; 5usize] = b"-rc1\0";
-#[doc = "Changes when old callers would break; equals the SONAME's number."]
+#[doc = "Changes when old callers would break; equals the number in the SONAME."]
 pub const MIMO_ABI_VERSION: u32 = 1;
-#[doc = "Version of what is declared here, 1.0; docs/abi.md says what may change."]
+#[doc = "Version of the declarations, 1.0; docs/abi.md says what may change."]
 pub const MIMO_API_MAJOR: u32 = 1;
 #[doc = "Grows when something is added."]
 pub const MIMO_API_MINOR: u32 = 0;
 #[doc = "Both in one number, for `#if MIMO_API_VERSION >= 1002`: 1.2 or newer."]
 pub const MIMO_API_VERSION: u32 = 1000;
-#[doc = "The call did what it says."]
+#[doc = "The call succeeded."]
 pub const MIMO_OK: u32 = 0;
-#[doc = "NULL, out of range, not finite."]
+#[doc = "An argument is NULL, out of range or not finite."]
 pub const MIMO_E_INVALID_ARGUMENT: i32 = -1;
-#[doc = "Not a handle of that kind, or one already destroyed."]
+#[doc = "The handle is of another kind, or was destroyed."]
 pub const MIMO_E_BAD_HANDLE: i32 = -2;
-#[doc = "A caller's buffer is shorter than needed; nothing was written."]
+#[doc = "A buffer to be written is too short; nothing was written."]
 pub const MIMO_E_BUFFER_TOO_SMALL: i32 = -3;
-#[doc = "struct_size is not that of any version."]
+#[doc = "struct_size is not the size in any version."]
 pub const MIMO_E_STRUCT_SIZE: i32 = -4;
-#[doc = "No body, joint, scene, file... of that name."]
+#[doc = "Nothing has that name: no body, joint, scene, file..."]
 pub const MIMO_E_NOT_FOUND: i32 = -5;
-#[doc = "A model does not compile, or asks for too much; see docs/guide/errors.md."]
+#[doc = "A model does not compile or exceeds a limit; see docs/guide/errors.md."]
 pub const MIMO_E_MODEL: i32 = -6;
-#[doc = "The simulation failed or diverged; reset makes the world usable again."]
+#[doc = "The simulation failed or diverged; reset the world to use it again."]
 pub const MIMO_E_SIMULATION: i32 = -7;
 #[doc = "The renderer failed."]
 pub const MIMO_E_RENDER: i32 = -8;
-#[doc = "Not possible here, or not known to this version: the message says which."]
+#[doc = "Not possible on this machine, or newer than this library."]
 pub const MIMO_E_UNSUPPORTED: i32 = -9;
 #[doc = "An allocation failed."]
 pub const MIMO_E_OUT_OF_MEMORY: i32 = -10;
@@ -44,31 +44,31 @@ pub const MIMO_E_OUT_OF_MEMORY: i32 = -10;
 pub const MIMO_E_FORKED: i32 = -11;
 #[doc = "A defect in libmimo; please report the message."]
 pub const MIMO_E_INTERNAL: i32 = -12;
-#[doc = "A file cannot be written, or is not what it should be."]
+#[doc = "A file cannot be written, or has the wrong content."]
 pub const MIMO_E_FILE: i32 = -13;
-#[doc = "A task of your own failed, or said what cannot be meant; see mimo_env_step."]
+#[doc = "A custom task failed or returned invalid values; see mimo_env_step."]
 pub const MIMO_E_TASK: i32 = -14;
 #[doc = "Not now: another thread uses the handle, or another call has to come first."]
 pub const MIMO_E_BUSY: i32 = -15;
-#[doc = "Something is not as the user probably meant it."]
+#[doc = "Something is probably not as the user intended."]
 pub const MIMO_LOG_WARNING: u32 = 1;
-#[doc = "Worth knowing, once."]
+#[doc = "Useful to know, told once."]
 pub const MIMO_LOG_INFO: u32 = 2;
 #[doc = "More contacts than the model's nconmax: some are missing."]
 pub const MIMO_WARNING_CONTACTS_DROPPED: u32 = 1;
 #[doc = "More constraints than the model's njmax: some are missing."]
 pub const MIMO_WARNING_CONSTRAINTS_DROPPED: u32 = 2;
-#[doc = "A position that is no number, or huge: the world has failed."]
+#[doc = "A position is not a number, or huge: the world has failed."]
 pub const MIMO_WARNING_BAD_POSITION: u32 = 3;
-#[doc = "The same of a velocity."]
+#[doc = "The same for a velocity."]
 pub const MIMO_WARNING_BAD_VELOCITY: u32 = 4;
-#[doc = "The same of an acceleration."]
+#[doc = "The same for an acceleration."]
 pub const MIMO_WARNING_BAD_ACCELERATION: u32 = 5;
-#[doc = "A control that is no number, or huge: the step took all as 0."]
+#[doc = "A control is not a number, or huge: the step used 0 for all controls."]
 pub const MIMO_WARNING_BAD_CONTROL: u32 = 6;
 #[doc = "The inertia matrix is nearly singular."]
 pub const MIMO_WARNING_INERTIA: u32 = 7;
-#[doc = "The solver stopped at its last iteration; counted, not told."]
+#[doc = "The solver stopped at its last iteration; counted, not logged."]
 pub const MIMO_WARNING_NOT_CONVERGED: u32 = 8;
 #[doc = "size: radius."]
 pub const MIMO_SHAPE_SPHERE: u32 = 1;
@@ -88,19 +88,19 @@ pub const MIMO_SEX_FEMALE: u32 = 1;
 pub const MIMO_SEX_MALE: u32 = 2;
 #[doc = "The WHO's child growth standards and measured infants: docs/guide/growth.md."]
 pub const MIMO_GROWTH_WHO: u32 = 0;
-#[doc = "The rules of MIMo's second version, for those who compare."]
+#[doc = "The rules of MIMo's second version, for comparison."]
 pub const MIMO_GROWTH_ORIGINAL: u32 = 1;
-#[doc = "Size, mass, strength and joints. 0 stands for this one."]
+#[doc = "Size, mass, strength and joints. 0 means this bit."]
 pub const MIMO_MATURITY_BODY: u32 = 1;
-#[doc = "What its eyes see, at its physiological age: mimo_maturity_at."]
+#[doc = "Its eyes' acuity and colour, by its physiological age: mimo_maturity_at."]
 pub const MIMO_MATURITY_EYES: u32 = 2;
-#[doc = "How long its nerves take, to and from the brain; likewise."]
+#[doc = "The delays of its nerves to and from the brain, by its physiological age."]
 pub const MIMO_MATURITY_DELAYS: u32 = 4;
-#[doc = "With its eyes: contrasts too faint for them are gone."]
+#[doc = "With _EYES: contrasts below the threshold disappear."]
 pub const MIMO_MATURITY_THRESHOLD: u32 = 8;
-#[doc = "With its eyes: changes too fast for them are blurred."]
+#[doc = "With _EYES: changes above the flicker limit are blurred."]
 pub const MIMO_MATURITY_FLICKER: u32 = 16;
-#[doc = "All that the loaded library has but the options _THRESHOLD and _FLICKER."]
+#[doc = "All bits of the loaded library except _THRESHOLD and _FLICKER."]
 pub const MIMO_MATURITY_ALL: u32 = 2147483648;
 #[doc = "Joint velocities, rad/s."]
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
@@ -108,7 +108,7 @@ pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 pub const MIMO_PROPRIOCEPTION_TORQUE: u32 = 2;
 #[doc = "Limit sensors, 1 at a joint's limit."]
 pub const MIMO_PROPRIOCEPTION_LIMIT: u32 = 4;
-#[doc = "Controls and torques of motors, targets, or what muscles do."]
+#[doc = "Controls and torques of motors, targets, or the state of muscles."]
 pub const MIMO_PROPRIOCEPTION_ACTUATION: u32 = 8;
 #[doc = "Torque about each joint's own axis, Nm."]
 pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
@@ -116,15 +116,15 @@ pub const MIMO_PROPRIOCEPTION_JOINT_TORQUE: u32 = 16;
 pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
 #[doc = "proprioception/effort, 0 to 1: see docs/guide/muscles.md."]
 pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
-#[doc = "proprioception/spindle_primary, two muscles a motor: Ia."]
+#[doc = "proprioception/spindle_primary, two muscles per motor: Ia."]
 pub const MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY: u32 = 128;
-#[doc = "proprioception/spindle_secondary, likewise: II."]
+#[doc = "proprioception/spindle_secondary, the same shape: II."]
 pub const MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY: u32 = 256;
-#[doc = "proprioception/tendon_organ, likewise: Ib."]
+#[doc = "proprioception/tendon_organ, the same shape: Ib."]
 pub const MIMO_PROPRIOCEPTION_TENDON_ORGAN: u32 = 512;
 #[doc = "proprioception/joint_receptor, joints x 2: near its ends."]
 pub const MIMO_PROPRIOCEPTION_JOINT_RECEPTOR: u32 = 1024;
-#[doc = "All that the loaded library has."]
+#[doc = "All bits of the loaded library."]
 pub const MIMO_PROPRIOCEPTION_ALL: u32 = 2147483648;
 #[doc = "Colour, uint8 H x W x 3, row 0 is the top."]
 pub const MIMO_VISION_RGB: u32 = 1;
@@ -138,9 +138,9 @@ pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
 pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
 #[doc = "vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md."]
 pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
-#[doc = "vestibular/otoliths, 2 x 2 x 2 x 2, Hz: likewise."]
+#[doc = "vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md."]
 pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
-#[doc = "vestibular/gravity, 3, m/s^2: where up is, as it is estimated."]
+#[doc = "vestibular/gravity, 3, m/s^2: the estimated direction of up."]
 pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
 #[doc = "hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa."]
 pub const MIMO_HEARING_EARS: u32 = 1;
@@ -150,23 +150,23 @@ pub const MIMO_HEARING_BANDS: u32 = 2;
 pub const MIMO_PLACE_SCENE: u32 = 0;
 #[doc = "The origin of its root body mimo_location; standing soles are 0.33 m below."]
 pub const MIMO_PLACE_ROOT: u32 = 1;
-#[doc = "The middle between its feet from above, at the height of the lowest point of them."]
+#[doc = "The point between its feet, at the height of their lowest point."]
 pub const MIMO_PLACE_SOLES: u32 = 2;
-#[doc = "Its root body from above, at the height of its lowest point: it lies on that height."]
+#[doc = "Below its root body, at the height of its lowest point: it lies on that height."]
 pub const MIMO_PLACE_LOWEST: u32 = 3;
-#[doc = "An action is a motor's share of its largest torque."]
+#[doc = "An action is the share of a motor's largest torque."]
 pub const MIMO_ACTUATION_TORQUE: u32 = 0;
-#[doc = "An action is the angle to which a soft lock takes a joint, rad."]
+#[doc = "An action is the angle to which a soft lock moves a joint, rad."]
 pub const MIMO_ACTUATION_POSITION: u32 = 1;
-#[doc = "Two muscles a motor, of the original MIMo's model. Actions are the activations they are told to have, 0 to 1: first\nall muscles that pull to the negative side, \"act:.../negative\", then all that pull to the positive side. Joints lose\ntheir springs and 19/20 of their dampers, motors their limits. Before every physics step muscles turn their\nactivation towards the action and pull; the motor's control input then is torque over gear, and a world's own gear\nmakes them stronger or weaker. While a task prepares an episode muscles do nothing. Needs a motor's user numbers, see\nmodels/README.md.\n\nFields, one number a muscle, of the end of the step: proprioception/activation, and proprioception/muscle_force, with\nwhich it would pull now."]
+#[doc = "Two muscles per motor, by the original MIMo's model. Actions are the muscles' target activations, 0 to 1: first all\nmuscles that pull to the negative side, \"act:.../negative\", then all that pull to the positive side. Joints lose\ntheir springs and 19/20 of their dampers, motors their limits. Before every physics step the muscles move their\nactivation towards the action and pull. The motor's control input is then torque over gear; a world's own gear makes\nthe muscles stronger or weaker. While a task prepares an episode, muscles do not pull. The motors need user numbers,\nsee models/README.md.\n\nFields, one number per muscle, at the end of the step: proprioception/activation, and proprioception/muscle_force,\nthe force with which it would pull now."]
 pub const MIMO_ACTUATION_MUSCLE: u32 = 2;
-#[doc = "By MuJoCo's muscle model: activation rises in 0.01 s, falls in 0.04 s."]
+#[doc = "MuJoCo's muscle model: activation rises in 0.01 s, falls in 0.04 s."]
 pub const MIMO_ACTUATION_MUJOCO_MUSCLE: u32 = 3;
 #[doc = "Three motors."]
 pub const MIMO_ACT_TRUNK: u32 = 1;
-#[doc = "Three."]
+#[doc = "Three motors."]
 pub const MIMO_ACT_HEAD: u32 = 2;
-#[doc = "Three an eye."]
+#[doc = "Three motors per eye."]
 pub const MIMO_ACT_EYES: u32 = 4;
 #[doc = "Shoulder (three) and elbow."]
 pub const MIMO_ACT_RIGHT_ARM: u32 = 8;
@@ -180,43 +180,43 @@ pub const MIMO_ACT_LEFT_HAND: u32 = 64;
 pub const MIMO_ACT_RIGHT_LEG: u32 = 128;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_LEG: u32 = 256;
-#[doc = "Ankle (three) and toes; a big toe has a motor of its own."]
+#[doc = "Ankle (three) and toes; a big toe has its own motor."]
 pub const MIMO_ACT_RIGHT_FOOT: u32 = 512;
 #[doc = "The same on the left."]
 pub const MIMO_ACT_LEFT_FOOT: u32 = 1024;
-#[doc = "All that the loaded library has."]
+#[doc = "All bits of the loaded library."]
 pub const MIMO_ACT_ALL: u32 = 2147483648;
-#[doc = "No motor at all; excludes the other bits."]
+#[doc = "No motor; excludes the other bits."]
 pub const MIMO_ACT_NONE: u32 = 1073741824;
-#[doc = "Fingers close on what presses on the palm; needs five fingers."]
+#[doc = "Fingers close on pressure on the palm; needs five fingers."]
 pub const MIMO_REFLEX_PALMAR_GRASP: u32 = 1;
-#[doc = "Toes curl under what presses on the ball of the foot."]
+#[doc = "Toes curl on pressure on the ball of the foot."]
 pub const MIMO_REFLEX_PLANTAR_GRASP: u32 = 2;
-#[doc = "The head turns to what touches a corner of the mouth."]
+#[doc = "The head turns towards a touch at a corner of the mouth."]
 pub const MIMO_REFLEX_ROOTING: u32 = 4;
-#[doc = "A head that drops: arms open, then close."]
+#[doc = "The head drops: arms open, then close."]
 pub const MIMO_REFLEX_MORO: u32 = 8;
-#[doc = "The head turned aside: limbs stretch there, bend opposite."]
+#[doc = "The head turns: limbs stretch on that side, bend on the other."]
 pub const MIMO_REFLEX_ASYMMETRIC_TONIC_NECK: u32 = 16;
 #[doc = "Upright on its feet, leaning forward: legs step in turn."]
 pub const MIMO_REFLEX_STEPPING: u32 = 32;
-#[doc = "Legs draw back from what touches or pricks one."]
+#[doc = "Legs draw back from a touch or a prick."]
 pub const MIMO_REFLEX_WITHDRAWAL: u32 = 64;
-#[doc = "reflex/activation has all that this body can do."]
+#[doc = "reflex/activation has all reflexes that this body can show."]
 pub const MIMO_REFLEX_FELT: u32 = 1073741824;
-#[doc = "All that this body can do, of those of the loaded library."]
+#[doc = "All reflexes of the loaded library that this body can show."]
 pub const MIMO_REFLEX_ALL: u32 = 2147483648;
 #[doc = "touch/force, N x 3: normal force and friction, N."]
 pub const MIMO_TOUCH_FORCE: u32 = 1;
-#[doc = "touch/force, N x 1: the normal force alone, N; instead of MIMO_TOUCH_FORCE."]
+#[doc = "touch/force, N x 1: only the normal force, N; instead of MIMO_TOUCH_FORCE."]
 pub const MIMO_TOUCH_NORMAL_FORCE: u32 = 2;
-#[doc = "touch/slip, N x 2: how it slides over the skin, along its tangents, m/s."]
+#[doc = "touch/slip, N x 2: sliding over the skin, along its tangents, m/s."]
 pub const MIMO_TOUCH_SLIP: u32 = 4;
-#[doc = "touch/friction_use, N x 1: share of the possible friction in use; 1: all."]
+#[doc = "touch/friction_use, N x 1: share of the possible friction in use, 0 to 1."]
 pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
-#[doc = "touch/sa1: how deep the skin is pressed."]
+#[doc = "touch/sa1: depth of indentation."]
 pub const MIMO_TOUCH_SA1: u32 = 16;
-#[doc = "touch/ra: how fast that changes, and sliding."]
+#[doc = "touch/ra: speed of indentation, and sliding."]
 pub const MIMO_TOUCH_RA: u32 = 32;
 #[doc = "touch/pc: jolts and vibration, as an envelope."]
 pub const MIMO_TOUCH_PC: u32 = 64;
@@ -230,21 +230,21 @@ pub const MIMO_TOUCH_COLD: u32 = 512;
 pub const MIMO_TOUCH_WARM: u32 = 1024;
 #[doc = "touch/nociception_fast: pricks and heat, at once."]
 pub const MIMO_TOUCH_NOCICEPTION_FAST: u32 = 2048;
-#[doc = "touch/nociception_slow: the same and cold, late and lasting."]
+#[doc = "touch/nociception_slow: pricks, heat and cold, late and lasting."]
 pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
-#[doc = "touch/units, N x 4: SA1, RA, PC, SA2 that a sensor stands for."]
+#[doc = "touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor."]
 pub const MIMO_TOUCH_UNITS: u32 = 8192;
-#[doc = "The nearest sensor feels all of a touch."]
+#[doc = "The nearest sensor feels the whole touch."]
 pub const MIMO_RESPONSE_NEAREST: u32 = 1;
 #[doc = "Weights fall linearly with the distance along the skin, to 0 at 2 spacings."]
 pub const MIMO_RESPONSE_LINEAR: u32 = 2;
-#[doc = "Weights fall as a bell of deviation 2/3 spacing, cut off at 2 spacings."]
+#[doc = "Gaussian weights with a deviation of 2/3 spacing, cut off at 2 spacings."]
 pub const MIMO_RESPONSE_GAUSSIAN: u32 = 3;
-#[doc = "The frame of the body that the sensor sits on."]
+#[doc = "The frame of the sensor's body."]
 pub const MIMO_FRAME_BODY: u32 = 1;
-#[doc = "The frame of the world."]
+#[doc = "The world frame."]
 pub const MIMO_FRAME_WORLD: u32 = 2;
-#[doc = "Of the skin at the sensor: outward normal, two tangents; see MIMO_RECEPTOR_FRAME."]
+#[doc = "The skin's frame at the sensor: normal and two tangents; see MIMO_RECEPTOR_FRAME."]
 pub const MIMO_FRAME_SKIN: u32 = 3;
 #[doc = "uint8_t"]
 pub const MIMO_U8: u32 = 1;
@@ -254,29 +254,29 @@ pub const MIMO_I32: u32 = 2;
 pub const MIMO_F32: u32 = 3;
 #[doc = "double"]
 pub const MIMO_F64: u32 = 4;
-#[doc = "1, id of the body that it sits on."]
+#[doc = "1, id of its body."]
 pub const MIMO_RECEPTOR_BODY: u32 = 1;
-#[doc = "1, id of the geom whose surface it lies on."]
+#[doc = "1, id of the geom whose surface it is on."]
 pub const MIMO_RECEPTOR_GEOM: u32 = 2;
 #[doc = "3, m, in the frame of its body."]
 pub const MIMO_RECEPTOR_POSITION: u32 = 3;
-#[doc = "9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is the body's x axis\nprojected on the skin, or its y axis where x is within 10 degrees of the normal; the second is the normal x the\nfirst. A receptor that stands for a whole small geom sits in its middle and counts as looking along the body's x\naxis."]
+#[doc = "9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is the body's x axis\nprojected on the skin, or its y axis if x is within 10 degrees of the normal; the second is the normal x the first.\nA receptor that represents a whole small geom lies in its middle, and its normal is the body's x axis."]
 pub const MIMO_RECEPTOR_FRAME: u32 = 4;
-#[doc = "As the model says; built-in scenes say sparse."]
+#[doc = "The model's setting; built-in scenes use sparse."]
 pub const MIMO_JACOBIAN_MODEL: u32 = 0;
-#[doc = "As the original solves; for comparing trajectories to the last digit."]
+#[doc = "The original's solver, for comparing trajectories to the last digit."]
 pub const MIMO_JACOBIAN_DENSE: u32 = 1;
-#[doc = "The same solution to rounding, about twice as fast."]
+#[doc = "The same solution up to rounding, about twice as fast."]
 pub const MIMO_JACOBIAN_SPARSE: u32 = 2;
 #[doc = "No contacts."]
 pub const MIMO_DISABLE_CONTACT: u32 = 1;
 #[doc = "No gravity."]
 pub const MIMO_DISABLE_GRAVITY: u32 = 2;
-#[doc = "mj_step as it is, instead of libmimo's solver: same to rounding, slower."]
+#[doc = "MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower."]
 pub const MIMO_DISABLE_OWN_SOLVER: u32 = 4;
 #[doc = "Lights cast shadows."]
 pub const MIMO_RENDER_SHADOWS: u32 = 1;
-#[doc = "Floors and boxes may mirror what is before them."]
+#[doc = "Floors and boxes may mirror the scene."]
 pub const MIMO_RENDER_REFLECTIONS: u32 = 2;
 #[doc = "The scene's sky; without it the background is black."]
 pub const MIMO_RENDER_SKY: u32 = 4;
@@ -286,9 +286,9 @@ pub const MIMO_RENDER_HAZE: u32 = 8;
 pub const MIMO_RENDER_FOG: u32 = 16;
 #[doc = "Neither."]
 pub const MIMO_OUTCOME_NONE: u32 = 0;
-#[doc = "The agent has done what its task wants."]
+#[doc = "The agent reached its task's goal."]
 pub const MIMO_OUTCOME_SUCCESS: u32 = 1;
-#[doc = "It has failed."]
+#[doc = "It failed."]
 pub const MIMO_OUTCOME_FAILURE: i32 = -1;
 #[doc = "Rigid bodies; 0 is the world."]
 pub const MIMO_BODY: u32 = 1;
@@ -434,9 +434,9 @@ pub const MIMO_BODY_NERVE_LENGTH: u32 = 56;
 pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: u32 = 57;
 #[doc = "Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by\nasking. For poses, positions, orientations, centres of mass and velocities, and for what is always current."]
 pub const MIMO_NOW: u32 = 1073741824;
-#[doc = "This library's, MuJoCo's and ROS's: x forward, y left, z up. Quaternions w x y z."]
+#[doc = "libmimo, MuJoCo, ROS: x forward, y left, z up. Quaternions w x y z."]
 pub const MIMO_AXES_MIMO: u32 = 0;
-#[doc = "Left-handed: x right, y up, z forward. Quaternions x y z w, as in all that follow."]
+#[doc = "Left-handed: x right, y up, z forward. Quaternions x y z w, as in all below."]
 pub const MIMO_AXES_UNITY: u32 = 1;
 #[doc = "Left-handed: x forward, y right, z up; cm."]
 pub const MIMO_AXES_UNREAL: u32 = 2;
@@ -446,25 +446,25 @@ pub const MIMO_AXES_GODOT: u32 = 3;
 pub const MIMO_AXES_GLTF: u32 = 4;
 #[doc = "One picture, repeated beyond its edges."]
 pub const MIMO_TEXTURE_FLAT: u32 = 0;
-#[doc = "Six square pictures, one above the other; texcoords of meshes already lie in them."]
+#[doc = "Six square pictures, one above the other; texcoords of meshes refer to them."]
 pub const MIMO_TEXTURE_CUBE: u32 = 1;
-#[doc = "A cube around everything: right, left, up, down, front, back of one who looks at it."]
+#[doc = "A cube around the scene: right, left, up, down, front, back from inside."]
 pub const MIMO_TEXTURE_SKY: u32 = 2;
 #[doc = "The light that every camera carries."]
 pub const MIMO_HEADLIGHT: i32 = -1;
-#[doc = "The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down."]
+#[doc = "Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down."]
 pub const MIMO_LOOK_EYES: u32 = 0;
-#[doc = "The head turns first, so that the eyes have to turn little."]
+#[doc = "The head turns first, the eyes turn the rest."]
 pub const MIMO_LOOK_HEAD: u32 = 1;
-#[doc = "Four bytes a pixel, the last one 255."]
+#[doc = "Four bytes per pixel, the last one 255."]
 pub const MIMO_PICTURE_RGBA: u32 = 1;
-#[doc = "Row 0 is the bottom, as in OpenGL's textures; of depth, too."]
+#[doc = "Row 0 is the bottom, as in OpenGL's textures; also for depth."]
 pub const MIMO_PICTURE_BOTTOM_UP: u32 = 2;
-#[doc = "Worlds go on when an episode has ended, until mimo_batch_reset."]
+#[doc = "Worlds continue after the end of an episode, until mimo_batch_reset."]
 pub const MIMO_AUTORESET_NONE: u32 = 0;
-#[doc = "The step after the end of an episode starts a new one instead of acting: its reward, its flags, outcome and terms are\n0, its block is that of the reset."]
+#[doc = "The step after the end of an episode starts a new one instead of acting: its reward, flags, outcome and terms are 0,\nand its block is the reset's."]
 pub const MIMO_AUTORESET_NEXT_STEP: u32 = 1;
-#[doc = "The step that ends an episode also starts the next one: reward and flags are those of the old episode, the block is\nthe first of the new one; the last block of the old one goes to final_blocks."]
+#[doc = "The step that ends an episode also starts the next one: reward and flags belong to the old episode, the block is the\nfirst of the new one, and the last block of the old one goes to final_blocks."]
 pub const MIMO_AUTORESET_SAME_STEP: u32 = 2;
 #[doc = "Result of a call: MIMO_OK or one of the negative MIMO_E_ constants."]
 pub type mimo_status = i32;
@@ -477,7 +477,7 @@ extern "C" {
     pub fn mimo_api_version() -> u32;
 }
 extern "C" {
-    #[doc = "Whether the loaded library knows a name of this interface: a function (\"mimo_env_step\"), a constant"]
+    #[doc = "Tells whether the loaded library has a name of this interface: a function (\"mimo_env_step\"), a constant"]
     #[doc = "(\"MIMO_BODY_MASS\"), a struct (\"mimo_field\") or a member of one (\"mimo_field.period\"); for programs that load the"]
     #[doc = "library at run time."]
     #[doc = "@return 1 or 0; 0 for NULL."]
@@ -492,27 +492,27 @@ extern "C" {
     pub fn mimo_mujoco_version() -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "Name of a status, \"MIMO_E_NOT_FOUND\"; \"MIMO_E_UNKNOWN\" for a number that is none. Static string."]
+    #[doc = "Name of a status, \"MIMO_E_NOT_FOUND\"; \"MIMO_E_UNKNOWN\" for any other number. Static string."]
     pub fn mimo_status_name(status: mimo_status) -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "What the last failed call on this thread complained about, one line, never NULL, \"\" if nothing failed yet. The string"]
-    #[doc = "belongs to the library and is valid until the next failing call on the same thread. Calls that succeed, and the"]
-    #[doc = "destroy functions, leave it alone. Within a function of your own task it is \"\" at first, and what fails there is not"]
-    #[doc = "seen outside, unless the task fails with it. Messages are UTF-8."]
+    #[doc = "Message of the last failed call on this thread: one line of UTF-8, never NULL, \"\" if no call has failed yet. The"]
+    #[doc = "string belongs to the library and is valid until the next failing call on the same thread. Successful calls and the"]
+    #[doc = "destroy functions do not change it. Within a function of a custom task it starts as \"\", and errors inside it do not"]
+    #[doc = "reach the caller unless the task fails with them."]
     pub fn mimo_last_error() -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "What the last failed call that was given this handle first complained about: for runtimes that move work from thread"]
-    #[doc = "to thread (Go, Node), where mimo_last_error may be somebody else's. mimo_env_create and the like are given their"]
-    #[doc = "scene. mimo_scene_create and mimo_env_make are given none: such a runtime stays on one thread for them and"]
-    #[doc = "mimo_last_error."]
+    #[doc = "Message of the last failed call that had this handle as its first argument, for runtimes that move work between"]
+    #[doc = "threads (Go, Node), where mimo_last_error may belong to another call. Functions that make a handle out of a scene"]
+    #[doc = "(mimo_env_create) keep their message with the scene. mimo_scene_create and mimo_env_make have no handle: call them"]
+    #[doc = "and mimo_last_error on one thread."]
     #[doc = "@param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder or mimo_recording."]
-    #[doc = "@param text     receives the message, zero-terminated, \"\" if nothing failed yet; NULL with capacity 0 asks for its"]
-    #[doc = "                length only."]
+    #[doc = "@param text     receives the message, zero-terminated, \"\" if no call has failed yet; NULL with capacity 0 asks only"]
+    #[doc = "                for its length."]
     #[doc = "@param capacity 1024 bytes are enough for any message."]
     #[doc = "@param length   receives the length without the terminating zero; may be NULL."]
-    #[doc = "Errors: as everywhere, but they change no handle's message. Any thread may ask, also while others use the handle."]
+    #[doc = "Errors of this function do not change any handle's message. Any thread may call it, also while others use the handle."]
     pub fn mimo_last_error_of(
         handle: *const std::os::raw::c_void,
         text: *mut std::os::raw::c_char,
@@ -521,14 +521,14 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Says what went wrong in a function of your own task: `return mimo_fail(MIMO_E_NOT_FOUND, \"no ball in this scene\");`."]
-    #[doc = "The call that runs the task fails with MIMO_E_TASK and quotes the status and the message."]
+    #[doc = "Reports an error in a function of a custom task: `return mimo_fail(MIMO_E_NOT_FOUND, \"no ball in this scene\");`. The"]
+    #[doc = "call that runs the task fails with MIMO_E_TASK and quotes the status and the message."]
     #[doc = "@param status  a MIMO_E_ constant."]
     #[doc = "@param message UTF-8; copied. Control characters are quoted as in C (\"\\n\"), as in all messages."]
     #[doc = "@return status, after mimo_last_error() was set to the message."]
     pub fn mimo_fail(status: mimo_status, message: *const std::os::raw::c_char) -> mimo_status;
 }
-#[doc = "A message. It lasts until the function that receives it returns."]
+#[doc = "A message, valid until the function that receives it returns."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_log_record {
@@ -536,9 +536,9 @@ pub struct mimo_log_record {
     pub struct_size: u32,
     #[doc = "MIMO_LOG_WARNING or MIMO_LOG_INFO."]
     pub level: i32,
-    #[doc = "What it is about: a MIMO_WARNING_ constant where physics warns, else 0."]
+    #[doc = "A MIMO_WARNING_ constant for a warning of the physics, else 0."]
     pub code: i32,
-    #[doc = "1: a world's physics warns; 0: a scene, a model or a renderer has something to say."]
+    #[doc = "1: a world's physics warns; 0: the message comes from a scene, a model or a renderer."]
     pub in_world: u32,
     #[doc = "One line, UTF-8."]
     pub text: *const std::os::raw::c_char,
@@ -547,19 +547,19 @@ pub struct mimo_log_record {
     #[doc = "Simulated seconds since the world's reset; 0 where in_world is 0."]
     pub time: f64,
 }
-#[doc = "Receives messages; NULL in a config means silence. Called on the thread that called the library, before"]
-#[doc = "that call returns. The handle of that call can only be read meanwhile, the rest answers MIMO_E_BUSY; any other handle"]
-#[doc = "may be used. Must not throw or longjmp."]
+#[doc = "Receives messages; NULL in a config turns them off. The library calls it on the thread of the caller, before the"]
+#[doc = "call returns. Meanwhile the handle of that call can only be read (everything else returns MIMO_E_BUSY); any other"]
+#[doc = "handle may be used. It must not throw or longjmp."]
 pub type mimo_log_fn = ::std::option::Option<
     unsafe extern "C" fn(user: *mut std::os::raw::c_void, record: *const mimo_log_record),
 >;
-#[doc = "A description of what is to be simulated. It may be changed or destroyed once environments exist."]
+#[doc = "A description of a simulation. It may be changed or destroyed once environments exist: they are not affected."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_scene {
     _unused: [u8; 0],
 }
-#[doc = "How a scene starts. At most one of name, file and xml may be set; none of them gives an empty world."]
+#[doc = "The document that a scene starts from. Set at most one of name, file and xml; without any the world is empty."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_scene_config {
@@ -567,15 +567,15 @@ pub struct mimo_scene_config {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Built-in scene: \"reach\", \"benchmark\", ...; see mimo_scene_name."]
+    #[doc = "A built-in scene: \"reach\", \"benchmark\", ...; see mimo_scene_name."]
     pub name: *const std::os::raw::c_char,
     #[doc = "Path of an MJCF file. Its includes may name built-in files as \"mimo/mitten.xml\"."]
     pub file: *const std::os::raw::c_char,
-    #[doc = "MJCF text; relative paths in it start from the working directory."]
+    #[doc = "MJCF text; its relative paths start from the working directory."]
     pub xml: *const std::os::raw::c_char,
-    #[doc = "Folder to take built-in models from instead of those inside the library, or NULL."]
+    #[doc = "A folder with built-in models to use in place of the library's own, or NULL."]
     pub model_dir: *const std::os::raw::c_char,
-    #[doc = "Messages about the scene's making, or NULL."]
+    #[doc = "Receives messages about the scene, or NULL."]
     pub log: mimo_log_fn,
     #[doc = "Passed to log."]
     pub log_user: *mut std::os::raw::c_void,
@@ -585,23 +585,23 @@ pub struct mimo_scene_config {
     pub max_pixels: u64,
     #[doc = "Vertices of a mesh or skin, and its faces. Default 1000000."]
     pub max_vertices: u64,
-    #[doc = "Elements of the document, and those that composites become. Default 40000."]
+    #[doc = "Elements of the document, including those of composites. Default 40000."]
     pub max_elements: u64,
     #[doc = "Default 10000."]
     pub max_keyframes: u64,
     #[doc = "Iterations of each solver in a physics step. Default 10000."]
     pub max_iterations: u64,
-    #[doc = "What the buffers of one world and its model (textures, meshes, ...) may need, as"]
-    #[doc = "estimated. Default 4294967296; MuJoCo 2.2 counts a model's bytes up to 2147483647."]
+    #[doc = "Estimated bytes of one world and its model (textures, meshes, ...). Default 4294967296;"]
+    #[doc = "MuJoCo 2.2 itself allows a model of 2147483647 bytes."]
     pub max_world_bytes: u64,
     #[doc = "1: includes and assets must lie in the folder of the document that names them, or"]
     #[doc = "below; 0: anywhere."]
     pub confined: u32,
     #[doc = "0."]
     pub limits_reserved: u32,
-    #[doc = "Milliseconds that MuJoCo's compiler may work at the document, as estimated for one core"]
-    #[doc = "of a processor of 2022. No other world of the process is made meanwhile; above a"]
-    #[doc = "second log is told. Default 10000."]
+    #[doc = "Estimated milliseconds of MuJoCo's compiler, on one core of a processor of 2022. While"]
+    #[doc = "it runs, the process makes no other world. Above 1000 a message is logged. Default"]
+    #[doc = "10000."]
     pub max_compile_ms: u64,
 }
 extern "C" {
@@ -628,9 +628,9 @@ extern "C" {
     pub fn mimo_room_name(index: usize) -> *const std::os::raw::c_char;
 }
 extern "C" {
-    #[doc = "Gives a scene that has none a room: floor, sky, light, and a place for an infant. What the scene says itself about"]
-    #[doc = "solver, statistics and pictures stays."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown room; MIMO_E_INVALID_ARGUMENT for a scene that has a room or a floor already."]
+    #[doc = "Gives a room to a scene without one: floor, sky, light, and a place for an infant. The scene's own settings of"]
+    #[doc = "solver, statistics and pictures stay."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown room; MIMO_E_INVALID_ARGUMENT for a scene that already has a room or a floor."]
     pub fn mimo_scene_set_room(scene: *mut mimo_scene, name: *const std::os::raw::c_char) -> mimo_status;
 }
 #[doc = "A rigid object of one primitive shape."]
@@ -641,9 +641,9 @@ pub struct mimo_object_config {
     pub struct_size: u32,
     #[doc = "A MIMO_SHAPE_ constant."]
     pub shape: i32,
-    #[doc = "Of its body and its geom; needed, unique among bodies and geoms."]
+    #[doc = "Name of its body and its geom; required, unique among bodies and geoms."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "Metres, by shape; unused entries are ignored."]
+    #[doc = "Metres, by shape; entries that the shape does not use have no effect."]
     pub size: [f64; 3usize],
     #[doc = "Metres, world frame."]
     pub position: [f64; 3usize],
@@ -659,7 +659,7 @@ pub struct mimo_object_config {
     pub reserved: u32,
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: a red sphere of 4 cm radius and 0.1 kg at the origin, free to move, without name."]
+    #[doc = "Fills a config with defaults: a red sphere of 4 cm radius and 0.1 kg at the origin, free to move, without a name."]
     #[doc = "@param size sizeof(mimo_object_config) as the caller knows it."]
     pub fn mimo_object_config_init(config: *mut mimo_object_config, size: usize) -> mimo_status;
 }
@@ -667,7 +667,7 @@ extern "C" {
     #[doc = "Adds an object. Errors: MIMO_E_INVALID_ARGUMENT for sizes, mass or colours out of range and for a name in use."]
     pub fn mimo_scene_add_object(scene: *mut mimo_scene, config: *const mimo_object_config) -> mimo_status;
 }
-#[doc = "An object that is described by an MJCF document of its own: a toy with parts, a piece of furniture, a robot."]
+#[doc = "An object described by its own MJCF document: a toy with parts, a piece of furniture, a robot."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_model_config {
@@ -675,43 +675,44 @@ pub struct mimo_model_config {
     pub struct_size: u32,
     #[doc = "1: it gets no free joint; 0: it moves freely, unless its body has joints of its own."]
     pub fixed: u32,
-    #[doc = "Needed: letters, digits, '_', '-', '.'. Goes with '/' before all names in the document."]
+    #[doc = "Required: letters, digits, '_', '-', '.'. With a '/' it precedes all names of the"]
+    #[doc = "document."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "Path of an MJCF file; what it includes and its meshes lie relative to its folder."]
+    #[doc = "Path of an MJCF file; its includes and meshes are relative to its folder."]
     pub file: *const std::os::raw::c_char,
     #[doc = "Or MJCF text; relative paths start from the working directory."]
     pub xml: *const std::os::raw::c_char,
-    #[doc = "Where its body is, metres, world frame; in place of what the document says."]
+    #[doc = "Position of its body, metres, world frame; replaces the document's."]
     pub position: [f64; 3usize],
     #[doc = "w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: at the origin, free to move, without name and document."]
+    #[doc = "Fills a config with defaults: at the origin, free to move, without a name and a document."]
     #[doc = "@param size sizeof(mimo_model_config) as the caller knows it."]
     pub fn mimo_model_config_init(config: *mut mimo_model_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Adds an MJCF document as an object. The one body in its worldbody becomes the object, with its assets, contacts,"]
-    #[doc = "equalities, tendons, actuators, sensors and custom elements. All their names get the object's name before them,"]
-    #[doc = "\"cup/handle\", so the same document may be added often; the free joint, and a body without a name, have the object's."]
-    #[doc = "Its main defaults count for it alone, and it gets none of the scene's. Angles, euler angles and automatic limits are"]
-    #[doc = "converted to the scene's settings. What else stands in its worldbody (floor, lights) does not come along, nor do its"]
-    #[doc = "solver options, keyframes, sizes and visual settings: there the scene's count. Nor do keyframes of the scene stay:"]
-    #[doc = "they are positions of other joints."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is no MJCF or has not just"]
-    #[doc = "one body, or that does not compile where its compiler settings weigh all its bodies (settotalmass, ...);"]
-    #[doc = "MIMO_E_UNSUPPORTED for global coordinates, and for such settings where it has a composite; MIMO_E_INVALID_ARGUMENT"]
-    #[doc = "for a name in use, and for fixed = 1 where the body has a free joint."]
+    #[doc = "Adds an MJCF document as an object. The single body in its worldbody becomes the object, with its assets, contacts,"]
+    #[doc = "equalities, tendons, actuators, sensors and custom elements. The object's name precedes all their names"]
+    #[doc = "(\"cup/handle\"), so the same document can be added several times. A free joint, and a body without a name, get the"]
+    #[doc = "object's name. The document's main defaults apply to the object alone; the scene's do not apply to it. Angles, euler"]
+    #[doc = "angles and automatic limits are converted to the scene's settings. Everything else in its worldbody (floor, lights)"]
+    #[doc = "is left out, and so are its solver options, keyframes, sizes and visual settings: the scene's apply. The scene's"]
+    #[doc = "keyframes are removed, because they hold positions of fewer joints."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for a file that cannot be read; MIMO_E_MODEL for a document that is not MJCF, does not have"]
+    #[doc = "exactly one body, or does not compile where its compiler settings weigh all its bodies (settotalmass, ...);"]
+    #[doc = "MIMO_E_UNSUPPORTED for global coordinates, and for such settings in a document with a composite;"]
+    #[doc = "MIMO_E_INVALID_ARGUMENT for a name in use, and for fixed = 1 where the body has a free joint."]
     pub fn mimo_scene_add_model(scene: *mut mimo_scene, config: *const mimo_model_config) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fastens a body to another one or to the world, softly, as the solver holds things."]
+    #[doc = "Welds a body to another one or to the world, by a soft constraint of the solver."]
     #[doc = "@param body  name of a body in the scene, \"anna/left_hand\"."]
-    #[doc = "@param other name of the one to which it is fastened; NULL: the world."]
-    #[doc = "@param pose  where the body is in the other's frame: position (m) and quaternion w x y z; NULL: as they are to each"]
-    #[doc = "             other where the scene starts, with all that is added and posed before an environment is made."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have; the message lists those that it has."]
+    #[doc = "@param other name of the body that it is welded to; NULL: the world."]
+    #[doc = "@param pose  pose of the body in the other's frame: position (m) and quaternion w x y z; NULL: their relative pose"]
+    #[doc = "             at the scene's start, with everything that is added and posed before an environment is made."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; the message lists the scene's bodies."]
     pub fn mimo_scene_weld(
         scene: *mut mimo_scene,
         body: *const std::os::raw::c_char,
@@ -720,11 +721,11 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Holds a hinge or slide, softly, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) lets it go. Position control"]
-    #[doc = "takes over the locks of the joints that it moves."]
+    #[doc = "Locks a hinge or slide at a value by a soft constraint, and starts it there. mimo_env_set (MIMO_JOINT_LOCK) releases"]
+    #[doc = "it. Position control takes over the locks of the joints that it moves."]
     #[doc = "@param joint name of a joint in the scene, \"anna/robot:left_knee\"."]
     #[doc = "@param value rad or m, within the joint's range."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a joint that the scene does not have; the message lists those that it has."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown joint; the message lists the scene's joints."]
     pub fn mimo_scene_lock(
         scene: *mut mimo_scene,
         joint: *const std::os::raw::c_char,
@@ -732,8 +733,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets where a hinge or slide starts; resets lead there, before a task changes it."]
-    #[doc = "@param joint name of a joint in the scene, of an infant, an object or a model of your own."]
+    #[doc = "Sets the start value of a hinge or slide. Resets restore it before a task changes it."]
+    #[doc = "@param joint name of a joint in the scene, of an infant, an object or an added model."]
     #[doc = "@param value rad or m, within the joint's range."]
     #[doc = "Errors: as mimo_scene_lock."]
     pub fn mimo_scene_set_pose(
@@ -750,8 +751,8 @@ pub struct mimo_camera_config {
     pub struct_size: u32,
     #[doc = "MIMO_VISION_ bits, at least one. Default MIMO_VISION_RGB."]
     pub outputs: u32,
-    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name of"]
-    #[doc = "a new one."]
+    #[doc = "A camera of the scene's MJCF or of an infant, \"anna/eye_left\"; with placed = 1 the name"]
+    #[doc = "of a new one."]
     pub name: *const std::os::raw::c_char,
     #[doc = "Pixels, 1 to 4096. Default 256."]
     pub width: u32,
@@ -759,72 +760,72 @@ pub struct mimo_camera_config {
     pub height: u32,
     #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own, 45 for a new one."]
     pub fovy: f64,
-    #[doc = "1: make the camera, where the entries below say; 0: it is there already."]
+    #[doc = "1: make the camera, placed by the members below; 0: it is in the model."]
     pub placed: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Body that carries it, by its name in the model; NULL: it stands still in the world."]
+    #[doc = "Name in the model of the body that carries it; NULL: it is fixed in the world."]
     pub body: *const std::os::raw::c_char,
-    #[doc = "Where it is, metres, in the frame of the body."]
+    #[doc = "Its position, metres, in the frame of the body."]
     pub position: [f64; 3usize],
     #[doc = "The point in the middle of its picture, metres, in the frame of the body, whose z axis"]
     #[doc = "points up in the picture."]
     pub look_at: [f64; 3usize],
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: a camera of the model, no name yet; a new one looks from (1.5, 0, 0.8) at (0, 0, 0.4)."]
+    #[doc = "Fills a config with defaults: a camera of the model, without a name; a new one looks from (1.5, 0, 0.8) at (0, 0,"]
+    #[doc = "0.4)."]
     #[doc = "@param size sizeof(mimo_camera_config) as the caller knows it."]
     pub fn mimo_camera_config_init(config: *mut mimo_camera_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Has a camera observed. Its fields come after those of all agents and belong to the scene."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the scene does not have, and from mimo_env_create for a camera that the"]
-    #[doc = "        model does not have; MIMO_E_INVALID_ARGUMENT for a camera that is observed already, or a new one whose name"]
-    #[doc = "        is in use."]
+    #[doc = "Adds a camera's pictures to the observation. Its fields follow the fields of all agents and belong to the scene."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body, and from mimo_env_create for a camera that the model does not have;"]
+    #[doc = "        MIMO_E_INVALID_ARGUMENT for a camera that is already observed, or a new one whose name is in use."]
     pub fn mimo_scene_add_camera(scene: *mut mimo_scene, config: *const mimo_camera_config) -> mimo_status;
 }
-#[doc = "A further field of the observation, of MIMO_F32: a quantity of parts of the scene, where a world is asked for it with"]
-#[doc = "mimo_env_get otherwise. Its shape is elements x values of each; elements alone where they have one value each; and"]
-#[doc = "one axis of all values where they differ in that. Of the world it is its values."]
+#[doc = "A further field of the observation, of type MIMO_F32: a quantity of chosen elements of the scene, which mimo_env_get"]
+#[doc = "would read otherwise. Its shape is elements x values of each; (elements) where each has one value; one axis of all"]
+#[doc = "values where their numbers differ; for a MIMO_WORLD_ quantity its values."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_field_config {
     #[doc = "sizeof(mimo_field_config), set by mimo_field_config_init."]
     pub struct_size: u32,
-    #[doc = "A quantity of access.h that every world has as many of: not of contacts. Poses and"]
-    #[doc = "velocities of bodies are those of the start of the last physics step, with MIMO_NOW"]
-    #[doc = "those of the step's end."]
+    #[doc = "A quantity of access.h, except of contacts, whose number varies. Poses and"]
+    #[doc = "velocities of bodies belong to the start of the last physics step, with MIMO_NOW to"]
+    #[doc = "the end of the step."]
     pub quantity: i32,
-    #[doc = "Of the field, \"toys/position\"; needed; no other field has it."]
+    #[doc = "Name of the field, \"toys/position\"; required, unique among fields."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "Names of bodies, joints, sites, sensors...; of agents \"\" for a sole one."]
+    #[doc = "Names of bodies, joints, sites, sensors...; \"\" for the agent of a scene with one."]
     pub elements: *const *const std::os::raw::c_char,
-    #[doc = "Length of elements, at least 1. Not for MIMO_WORLD_: 0."]
+    #[doc = "Length of elements, at least 1; 0 for a MIMO_WORLD_ quantity."]
     pub element_count: usize,
-    #[doc = "Of positions, orientations, poses and velocities: the body in whose frame they are,"]
-    #[doc = "moving along with it; NULL: in the world's."]
+    #[doc = "For positions, orientations, poses and velocities: the body whose moving frame they"]
+    #[doc = "are expressed in; NULL: the world frame."]
     pub relative_to: *const std::os::raw::c_char,
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: MIMO_BODY_POSITION in the world's frame, without name and elements."]
+    #[doc = "Fills a config with defaults: MIMO_BODY_POSITION in the world frame, without a name and elements."]
     #[doc = "@param size sizeof(mimo_field_config) as the caller knows it."]
     pub fn mimo_field_config_init(config: *mut mimo_field_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Has something observed. Its field comes after those of all agents and cameras and belongs to the scene; limits of"]
-    #[doc = "senses do not concern it."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a name in use, a quantity that is not observed, relative_to where nothing has a"]
-    #[doc = "        frame; MIMO_E_UNSUPPORTED for an unknown quantity. From mimo_env_create and mimo_senses_attach:"]
-    #[doc = "        MIMO_E_NOT_FOUND for what the model does not have, with a list of what it has; MIMO_E_UNSUPPORTED for what"]
-    #[doc = "        attached senses cannot know, such as goals."]
+    #[doc = "Adds a quantity to the observation. Its field follows the fields of all agents and cameras and belongs to the scene;"]
+    #[doc = "limits of senses do not apply to it."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a name in use, a quantity that cannot be observed, relative_to for a quantity"]
+    #[doc = "        without a frame; MIMO_E_UNSUPPORTED for an unknown quantity. From mimo_env_create and mimo_senses_attach:"]
+    #[doc = "        MIMO_E_NOT_FOUND for an element that the model does not have, with a list of its elements;"]
+    #[doc = "        MIMO_E_UNSUPPORTED for quantities that attached senses do not have, such as goals."]
     pub fn mimo_scene_add_field(scene: *mut mimo_scene, config: *const mimo_field_config) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The scene as one MJCF document, as MuJoCo will compile it; for looking at it and for other tools. Files that it"]
-    #[doc = "names \"mimo/...\" are the built-in ones, installed as share/mimo/models."]
-    #[doc = "Errors: MIMO_E_MODEL where bodies are fastened as they start (mimo_scene_weld) or an infant has no place, and the"]
-    #[doc = "        scene does not compile."]
-    #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks for the size only."]
+    #[doc = "Writes the scene as one MJCF document, as MuJoCo will compile it. Files that it names \"mimo/...\" are built in and"]
+    #[doc = "installed as share/mimo/models."]
+    #[doc = "Errors: MIMO_E_MODEL for a scene that does not compile, where a relative pose (mimo_scene_weld) or an infant's place"]
+    #[doc = "        has to be computed."]
+    #[doc = "@param text   receives the document, zero-terminated; NULL with capacity 0 asks only for the size."]
     #[doc = "@param length receives the length without the terminating zero; may be NULL."]
     pub fn mimo_scene_xml(
         scene: *const mimo_scene,
@@ -834,21 +835,22 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Writes the scene for tools that know nothing of libmimo: FOLDER/scene.xml, and in FOLDER/assets copies of all"]
-    #[doc = "textures, meshes and other files that it refers to. Any program with MuJoCo opens it, also elsewhere."]
-    #[doc = "@param folder made where it is not there. A file that is there already must hold the same: nothing is overwritten."]
-    #[doc = "Errors: MIMO_E_FILE for a file that is there with other content or cannot be written; MIMO_E_NOT_FOUND for one that"]
-    #[doc = "        cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing has been written then, no folder either."]
+    #[doc = "Writes the scene for programs without libmimo: FOLDER/scene.xml, and copies of all textures, meshes and other files"]
+    #[doc = "that it refers to in FOLDER/assets. Any program with MuJoCo can open it, on any machine."]
+    #[doc = "@param folder is made if it does not exist. A file that exists must have the same content: nothing is overwritten."]
+    #[doc = "Errors: MIMO_E_FILE for an existing file with other content, or one that cannot be written; MIMO_E_NOT_FOUND for a"]
+    #[doc = "        file that cannot be read; MIMO_E_MODEL as from mimo_scene_xml. Nothing, not even the folder, is then left"]
+    #[doc = "        behind."]
     pub fn mimo_scene_save(scene: *const mimo_scene, folder: *const std::os::raw::c_char) -> mimo_status;
 }
-#[doc = "How old, large and strong an infant is: the member `growth` of mimo_agent_config, NULL for the body of 18 months."]
-#[doc = "From it follow lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness,"]
-#[doc = "damping and friction of joints. The infant starts in the same pose, as far as its joints go, its lowest point where"]
-#[doc = "that would be at 18 months. With all defaults it is that body, to the last bit. Objects and rooms stay; what tasks do"]
-#[doc = "about it, docs/tasks.md says."]
-#[doc = "Errors, of the call that is given it: MIMO_E_INVALID_ARGUMENT for numbers out of their range, an agent that is no"]
-#[doc = "infant, and a combination that no infant can have, where no girth of its limbs gives that mass; MIMO_E_UNSUPPORTED"]
-#[doc = "for an infant in the scene's MJCF whose parts somebody has changed."]
+#[doc = "The age, size and strength of an infant: the member `growth` of mimo_agent_config, NULL for the body of 18 months. It"]
+#[doc = "determines lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness, damping"]
+#[doc = "and friction of joints. The infant starts in the same pose, within the range of its joints; its lowest point is where"]
+#[doc = "it would be at 18 months. All defaults give that body, to the last bit. Objects and rooms do not change;"]
+#[doc = "docs/tasks.md says how tasks adapt."]
+#[doc = "Errors of the call that receives it: MIMO_E_INVALID_ARGUMENT for numbers out of range, for an agent that is not an"]
+#[doc = "infant, and for a combination that no girth of the limbs can give; MIMO_E_UNSUPPORTED for an infant in the scene's"]
+#[doc = "MJCF whose parts were changed."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_growth {
@@ -856,85 +858,87 @@ pub struct mimo_growth {
     pub struct_size: u32,
     #[doc = "A MIMO_SEX_ constant. Default MIMO_SEX_MEAN."]
     pub sex: i32,
-    #[doc = "Months, 0 (a newborn) to 24: of size and mass. Default 18."]
+    #[doc = "Age in months, 0 (a newborn) to 24, for size and mass. Default 18."]
     pub age: f64,
-    #[doc = "Months, 0 to 24, where matures_apart is 1: of strength, range of motion and tone."]
+    #[doc = "Months, 0 to 24, for strength, range of motion and tone, if matures_apart is 1."]
     pub physiological_age: f64,
-    #[doc = "1: physiological_age counts; 0 (default): it is the age."]
+    #[doc = "1: physiological_age is used; 0 (default): age is used for all."]
     pub matures_apart: u32,
     #[doc = "A MIMO_GROWTH_ constant. Default MIMO_GROWTH_WHO."]
     pub model: i32,
-    #[doc = "Of its length: standard deviations from the median of age and sex, -3 to 3."]
+    #[doc = "Its length in standard deviations from the median of age and sex, -3 to 3."]
     pub z_length: f64,
-    #[doc = "Of its weight, the same."]
+    #[doc = "The same for its weight."]
     pub z_weight: f64,
-    #[doc = "Of its head's circumference, the same."]
+    #[doc = "The same for its head's circumference."]
     pub z_head: f64,
-    #[doc = "Percent, 1 to 99.865: all three of these at once, which are 0 then; 0: they count."]
+    #[doc = "Percent, 1 to 99.865: sets all three z-scores, which must then be 0; 0: not used."]
     pub percentile: f64,
-    #[doc = "Strength of a muscle's cross-section goes with this power of the median length at the"]
-    #[doc = "physiological age, 0 to 5; 0: it is the same at all ages. Default 1.7."]
+    #[doc = "A muscle's strength per cross-section is proportional to this power of the median"]
+    #[doc = "length at the physiological age, 0 to 5; 0: equal at all ages. Default 1.7."]
     pub strength_exponent: f64,
     #[doc = "Factor of the neck's strength at its age, 0 to 10. Default 1."]
     pub neck_strength: f64,
-    #[doc = "Factor of the stiffness of a newborn's joints, 0.1 to 10; it is 1 from 6 months on."]
+    #[doc = "Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months."]
     #[doc = "Default 1.5."]
     pub birth_tone: f64,
-    #[doc = "Share of a young infant's lack of extension in hips, knees and elbows, 0 to 1."]
-    #[doc = "Default 1."]
+    #[doc = "Share of the young infant's limited extension of hips, knees and elbows that applies, 0"]
+    #[doc = "to 1. Default 1."]
     pub contracture: f64,
-    #[doc = "1: length and weight are the WHO's; 0 (default): in the WHO's proportion to the body of"]
-    #[doc = "18 months, which is 4.5 % shorter and 3 % heavier than its median."]
+    #[doc = "1: length and weight are the WHO's; 0 (default): they are the WHO's relative to the"]
+    #[doc = "body of 18 months, which is 4.5 % shorter and 3 % heavier than the median."]
     pub absolute: u32,
-    #[doc = "1: touch sensors are as far apart as at 18 months and so fewer; 0 (default): there"]
-    #[doc = "are as many, and their distances grow with the body."]
+    #[doc = "1: touch sensors keep the spacing of 18 months, so a smaller body has fewer; 0"]
+    #[doc = "(default): their number stays and their spacing grows with the body."]
     pub keep_spacing: u32,
-    #[doc = "MIMO_MATURITY_ bits; 0 and default: MIMO_MATURITY_BODY."]
+    #[doc = "MIMO_MATURITY_ bits; 0 (default): MIMO_MATURITY_BODY."]
     pub maturity: u32,
     #[doc = "0."]
     pub reserved: u32,
 }
 extern "C" {
-    #[doc = "Fills a growth with that of the infant as it is without: 18 months, mean of the sexes, median."]
+    #[doc = "Fills a growth with defaults, the same as no growth: 18 months, mean of the sexes, median."]
     #[doc = "@param size sizeof(mimo_growth) as the caller knows it."]
     pub fn mimo_growth_init(growth: *mut mimo_growth, size: usize) -> mimo_status;
 }
 extern "C" {
     #[doc = "Name of the index-th face of the built-in bodies, or NULL past the last: \"neutral\", \"enjoyment\", \"sadness\","]
-    #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Further ones are materials of your own MJCF named"]
-    #[doc = "\"mimo_face_<name>\"."]
+    #[doc = "\"surprise\", \"disgust\", \"anger\", \"fear\". Static string. Materials named \"mimo_face_<name>\" in your own MJCF add faces."]
     pub fn mimo_face_name(index: usize) -> *const std::os::raw::c_char;
 }
-#[doc = "One agent: where it is, what it senses, what of it acts. Mostly an infant; with `root` any part of a model that"]
-#[doc = "knows nothing of infants. Such an agent"]
+#[doc = "One agent: its position, its senses, and the joints it controls. Usually an infant; with `root` any part of any"]
+#[doc = "model. Such an agent"]
 #[doc = "  - reads the positions of its hinges and slides, its motors, and the torque sensors on it;"]
 #[doc = "  - acts with its actuators, within their ctrlrange (no bounds where they have none);"]
 #[doc = "  - has skin where mimo_scene_set_touch says so, and nowhere else;"]
 #[doc = "  - sees with all cameras that it carries, \"vision/NAME\";"]
-#[doc = "  - has a vestibular organ where vestibular_at says;"]
-#[doc = "  - has no face, no gaze, no reflexes, and its only task is \"none\" or one of your own."]
+#[doc = "  - has a vestibular organ at vestibular_at;"]
+#[doc = "  - has no face, no gaze and no reflexes; its task is \"none\" or a custom one."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_agent_config {
     #[doc = "sizeof(mimo_agent_config), set by mimo_agent_config_init."]
     pub struct_size: u32,
-    #[doc = "A MIMO_PLACE_ constant: which point of it lies at position. Default: the scene's."]
+    #[doc = "A MIMO_PLACE_ constant: its point that lies at position. Default: the scene's."]
     pub place: i32,
-    #[doc = "\"\" for a sole agent; else the prefix of its fields and model names, \"anna/...\"."]
+    #[doc = "Prefix of its fields and model names, \"anna/...\": letters, digits, '_', '-', '.';"]
+    #[doc = "NULL or \"\" (default): none, for a single agent."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "\"mitten\", \"fingers\" (five fingers, a big toe); with \"-mirrored\" after it left is"]
-    #[doc = "the image of right. Or \"scene\": the body is part of the scene's MJCF."]
+    #[doc = "\"mitten\" (default) or \"fingers\" (five fingers, a big toe); with \"-mirrored\" appended"]
+    #[doc = "the left side mirrors the right one. \"scene\": the body is in the scene's MJCF."]
     pub body: *const std::os::raw::c_char,
-    #[doc = "Of the point that place says, m, world frame; without meaning with PLACE_SCENE."]
+    #[doc = "Of the point selected by place, m, world frame; unused with _PLACE_SCENE."]
     pub position: [f64; 3usize],
     #[doc = "Of the root body, w x y z; need not be normalised."]
     pub orientation: [f64; 4usize],
-    #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original:"]
-    #[doc = "all but JOINT_TORQUE, EFFORT and what nerves tell."]
+    #[doc = "MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original: VELOCITY,"]
+    #[doc = "TORQUE, LIMIT, ACTUATION and POSITION."]
     pub proprioception: u32,
-    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: the first two."]
+    #[doc = "MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: ACCELERATION and"]
+    #[doc = "ANGULAR_VELOCITY."]
     pub vestibular: u32,
-    #[doc = "Limit sensors work this near to a limit; radians, > 0. Default 0.035."]
+    #[doc = "Distance from a joint's limit at which limit sensors start, radians, > 0. Default"]
+    #[doc = "0.035."]
     pub limit_threshold: f64,
     #[doc = "MIMO_VISION_ bits of both eyes; 0: no vision. Default MIMO_VISION_RGB."]
     pub vision: u32,
@@ -946,52 +950,53 @@ pub struct mimo_agent_config {
     pub actuation: i32,
     #[doc = "Vertical field of view in degrees, 1 to 170; 0: the camera's own (60)."]
     pub vision_fovy: f64,
-    #[doc = "Of colour: the middle is shown L / ln(1 + L) times as large and the rim small, 0.01"]
-    #[doc = "to 100; 0 (default): as drawn. See mimo_layout_directions."]
+    #[doc = "L, 0.01 to 100: colour pictures show their middle L / ln(1 + L) times as large and"]
+    #[doc = "their rim smaller; 0 (default): as drawn. See mimo_layout_directions."]
     pub vision_foveation: f64,
-    #[doc = "MIMO_ACT_ bits: parts that have motors; 0: the scene's own choice."]
+    #[doc = "MIMO_ACT_ bits: the parts whose motors it controls; 0: the scene's choice."]
     pub acts: u32,
-    #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: their own range."]
+    #[doc = "1: actions go from -1 to 1, mapped linearly to their range; 0: they have their own"]
+    #[doc = "range."]
     pub normalize_actions: u32,
     #[doc = "MIMO_TOUCH_ output bits; 0: no touch. Default MIMO_TOUCH_FORCE."]
     pub touch: u32,
-    #[doc = "MIMO_RESPONSE_NEAREST, _LINEAR (default) or _GAUSSIAN: who feels how much."]
+    #[doc = "A MIMO_RESPONSE_ constant: how a touch spreads over sensors. Default _LINEAR."]
     pub touch_response: i32,
-    #[doc = "MIMO_FRAME_BODY (default), _WORLD or _SKIN: of touch/force with three components."]
+    #[doc = "A MIMO_FRAME_ constant: of touch/force with three components. Default _BODY."]
     pub touch_frame: i32,
-    #[doc = "MIMO_REFLEX_ bits, felt as reflex/activation; 0 (default): none."]
+    #[doc = "MIMO_REFLEX_ bits; adds the field reflex/activation; 0 (default): none."]
     pub reflexes: u32,
-    #[doc = "Divides the usual distances between sensors: 2 makes 4 times as many. Default 1."]
+    #[doc = "Divides the distances between sensors: 2 gives 4 times as many. Default 1."]
     pub touch_scale: f64,
-    #[doc = "Slip below counts as none: MuJoCo's friction creeps. m/s, >= 0. Default 0.005."]
+    #[doc = "Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005."]
     pub touch_slip_threshold: f64,
-    #[doc = "The face that it shows at first, see mimo_face_name; NULL: neutral."]
+    #[doc = "Its first face, see mimo_face_name; NULL: neutral."]
     pub face: *const std::os::raw::c_char,
-    #[doc = "With body \"scene\": the body of the model that the agent consists of, with all below"]
-    #[doc = "it; \"world\": everything. NULL: an infant."]
+    #[doc = "With body \"scene\": the body of the model that, with its children, is the agent;"]
+    #[doc = "\"world\": the whole model. NULL: an infant."]
     pub root: *const std::os::raw::c_char,
     #[doc = "Site or body whose motion the vestibular sense feels; NULL: the infant's head."]
     pub vestibular_at: *const std::os::raw::c_char,
-    #[doc = "How old it is; NULL: 18 months."]
+    #[doc = "Its age and size; NULL: 18 months."]
     pub growth: *const mimo_growth,
-    #[doc = "MIMO_HEARING_ bits; 0 (default): it is deaf."]
+    #[doc = "MIMO_HEARING_ bits; 0 (default): no hearing."]
     pub hearing: u32,
-    #[doc = "1: an infant's voice, four more actions after those of motors: \"voice:loudness\", 0"]
-    #[doc = "(silent) to 1 (a cry); \"voice:pitch\", -0.5 to 0.5 octaves; \"voice:opening\" and"]
-    #[doc = "\"voice:front\", 0.7 to 1.3 times the first and second formant of its age. Heard"]
-    #[doc = "where an agent hears, see docs/guide/hearing.md. 0 (default): none."]
+    #[doc = "1: an infant's voice, with four actions after the motors' actions: \"voice:loudness\","]
+    #[doc = "0 (silent) to 1 (a cry); \"voice:pitch\", -0.5 to 0.5 octaves; \"voice:opening\" and"]
+    #[doc = "\"voice:front\", 0.7 to 1.3 times the first and second formant of its age. Every agent"]
+    #[doc = "with hearing hears it, see docs/guide/hearing.md. 0 (default): no voice."]
     pub voice: u32,
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: the mitten body at the scene's place, which feels its joints, balance and touch, and"]
-    #[doc = "sees in colour."]
+    #[doc = "Fills a config with defaults: the mitten body at the scene's place, with proprioception, balance, touch and colour"]
+    #[doc = "vision."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_agent_config_init(config: *mut mimo_agent_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills a config with what the scene gives its next infant by itself: its body (static string), its place (position and"]
-    #[doc = "orientation, which count where place is set to MIMO_PLACE_ROOT; 0 0 0 where all places are taken), and in scenes that"]
-    #[doc = "are made for a task the senses of that task; in catch muscles; elsewhere the same as mimo_agent_config_init."]
+    #[doc = "Fills a config with the scene's defaults for its next infant: its body (static string), its position and orientation"]
+    #[doc = "(they apply if you set place to MIMO_PLACE_ROOT; 0 0 0 if all places are taken), and, in scenes made for a task, the"]
+    #[doc = "senses of that task; in catch muscles; everything else as mimo_agent_config_init."]
     #[doc = "@param size sizeof(mimo_agent_config) as the caller knows it."]
     pub fn mimo_scene_default_agent(
         scene: *const mimo_scene,
@@ -1002,17 +1007,17 @@ extern "C" {
 extern "C" {
     #[doc = "Adds an infant."]
     #[doc = ""]
-    #[doc = "In a scene that names no place for its first infant and where none is given, it stands on what stands still at the"]
-    #[doc = "origin (the surface nearest to height 0 with room for it), or, where something is in its way there, beside it, up to"]
-    #[doc = "4 m away. That is worked out when a world is made, with all that is in the scene by then. One that is given a place,"]
-    #[doc = "or finds none, and starts more than 5 mm inside of something is told of by a warning to the scene's log."]
-    #[doc = "@param config NULL means the scene's own, see mimo_scene_default_agent."]
+    #[doc = "If neither the scene nor the config gives a place to the first infant, it stands at the origin on a fixed surface"]
+    #[doc = "(the one nearest to height 0 with room for it) or, if something is in its way, up to 4 m beside it. The place is"]
+    #[doc = "computed when a world is made, with everything that the scene then has. A warning goes to the scene's log if an"]
+    #[doc = "infant starts more than 5 mm inside something, at a given place or because there is no free one."]
+    #[doc = "@param config NULL means the scene's defaults, see mimo_scene_default_agent."]
     #[doc = "@param agent  receives its number, 0 for the first; may be NULL."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene is not made for (five"]
-    #[doc = "fingers in standup), for a name in use by an agent or a part of the scene, for no name where there are several"]
-    #[doc = "agents, and when the scene has no place left and none is given; MIMO_E_MODEL for a scene that does not compile where"]
-    #[doc = "its compiler settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings where it has a"]
-    #[doc = "composite, and for global coordinates."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for a body that the scene does not support"]
+    #[doc = "(five fingers in standup), for a name that an agent or a part of the scene has, for a missing name where there are"]
+    #[doc = "several agents, and when no place is given and the scene has none left; MIMO_E_MODEL for a scene that does not"]
+    #[doc = "compile where its compiler settings weigh all bodies (settotalmass, ...); MIMO_E_UNSUPPORTED for such settings in a"]
+    #[doc = "scene with a composite, and for global coordinates."]
     pub fn mimo_scene_add_agent(
         scene: *mut mimo_scene,
         config: *const mimo_agent_config,
@@ -1020,10 +1025,10 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Adds all infants that the scene names (its MJCF's custom text \"mimo:infants\", \"anna ben\"), each at a place of its"]
-    #[doc = "own; in a scene that names none a single one."]
-    #[doc = "@param config what they have in common; a name only where the scene gives none, a place only where there is just one."]
-    #[doc = "              NULL: the scene's own, see mimo_scene_default_agent."]
+    #[doc = "Adds all infants that the scene names (the custom text \"mimo:infants\" of its MJCF, \"anna ben\"), each at its own"]
+    #[doc = "place; in a scene that names none, a single one."]
+    #[doc = "@param config their common settings; with a name only if the scene gives none, with a place only for a single infant."]
+    #[doc = "              NULL: the scene's defaults, see mimo_scene_default_agent."]
     #[doc = "@param count  receives how many were added; may be NULL."]
     #[doc = "Errors: as mimo_scene_add_agent. All of them are added, or none."]
     pub fn mimo_scene_add_agents(
@@ -1033,12 +1038,12 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets the distance between the touch sensors of one part of an infant's body, in place of the usual one."]
-    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
-    #[doc = "               single ones no longer counts."]
-    #[doc = "@param spacing metres, at most 10, as it is (touch_scale does not change it); 0: no skin there."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
-    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
+    #[doc = "Sets the distance between the touch sensors of one part of an infant's body, in place of the standard one."]
+    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, which replaces what was set"]
+    #[doc = "               for single ones before."]
+    #[doc = "@param spacing metres, at most 10; touch_scale does not change it; 0: no skin there."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; the message lists the infant's bodies. For an agent with a root the"]
+    #[doc = "        error comes when an environment is made or senses are attached."]
     pub fn mimo_scene_set_touch(
         scene: *mut mimo_scene,
         agent: usize,
@@ -1047,18 +1052,18 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Has an agent's proprioception read this joint; the first call takes away all others. Position, velocity, limits and"]
-    #[doc = "torque about the joint's axis then have one element for each call, in that order."]
+    #[doc = "Chooses the joints that an agent's proprioception reads: the first call replaces the default list, each call adds one"]
+    #[doc = "joint. Position, velocity, limits and torque about the joint's axis then have one element per call, in that order."]
     #[doc = "@param joint a hinge or slide of the agent, by its name in the model, \"anna/robot:left_elbow\"."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a joint that is read already. A joint that the agent does not have is"]
-    #[doc = "        MIMO_E_NOT_FOUND when an environment is made or senses are attached; the message lists those that it has."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a joint that was already chosen. An unknown joint is MIMO_E_NOT_FOUND when an"]
+    #[doc = "        environment is made or senses are attached; the message lists the agent's joints."]
     pub fn mimo_scene_read_joint(
         scene: *mut mimo_scene,
         agent: usize,
         joint: *const std::os::raw::c_char,
     ) -> mimo_status;
 }
-#[doc = "How much less an agent senses than there is, or does than it wants. What is not limited costs nothing."]
+#[doc = "Imperfections of a sense or motor. A sense or motor without limits costs nothing."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_limits {
@@ -1066,38 +1071,37 @@ pub struct mimo_limits {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Seconds by which it comes late, 0 to 2: the nearest number of time steps of the model,"]
-    #[doc = "up to 2000, whatever frame_skip is; with attached senses, of steps. Default 0."]
+    #[doc = "Delay in seconds, 0 to 2, rounded to time steps of the model (at most 2000; independent of"]
+    #[doc = "frame_skip) or, with attached senses, to steps. Default 0."]
     pub delay: f64,
     #[doc = "Factor of all values, 0 to 3.4e38 (the largest float). Default 1."]
     pub gain: f64,
     #[doc = "Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's"]
     #[doc = "or action's unit (colours: levels of 255). Default 0."]
     pub noise: f64,
-    #[doc = "Of pictures in colour, not of motors: lines this fine, in cycles per degree, keep half"]
-    #[doc = "their contrast; 0 (default): sharp. 0.05 to 1000."]
+    #[doc = "For colour pictures only: lines of this many cycles per degree keep half their contrast,"]
+    #[doc = "0.05 to 1000; 0 (default): sharp."]
     pub blur: f64,
     #[doc = "Standard deviation of further noise as a share of the value, 0 to 1000. Default 0."]
     pub signal_noise: f64,
 }
 extern "C" {
-    #[doc = "Fills limits with those of a perfect sense or motor."]
+    #[doc = "Fills limits with defaults: a perfect sense or motor."]
     #[doc = "@param size sizeof(mimo_limits) as the caller knows it."]
     pub fn mimo_limits_init(limits: *mut mimo_limits, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. First the"]
-    #[doc = "picture is blurred, then comes the gain, then the delay, then the noise; before the delay is over, what the episode"]
-    #[doc = "began with is sensed. What comes out is cut to the bounds of its field, and to the largest float where there are"]
-    #[doc = "none. The noise follows from the world's seed, the time step and the field's name: it is the same in every run and"]
-    #[doc = "for any number of looks at a step. What is late is part of the world's state, and no episode senses anything of the"]
-    #[doc = "one before."]
-    #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". Where several"]
-    #[doc = "              calls concern a field, the last one counts. Gain and noise of \"vision\" do not concern depth and"]
-    #[doc = "              segmentation, unless these are named."]
+    #[doc = "Limits a sense of an agent, or a part of one, for environments made and senses attached from now on. The order is"]
+    #[doc = "blur, gain, delay, noise. Until the delay has passed, the agent senses the first values of the episode. The result is"]
+    #[doc = "clipped to the bounds of its field, or to the largest float. The noise is determined by the world's seed, the time"]
+    #[doc = "step and the field's name: it is the same in every run and for every observation of a step. Delayed values are part"]
+    #[doc = "of the world's state; an episode senses nothing of the one before."]
+    #[doc = "@param path   a field without its agent's name, \"vision/eye_left\", or all fields below a path, \"touch\". If several"]
+    #[doc = "              calls set a field, the last one applies. Gain and noise of \"vision\" do not apply to depth and"]
+    #[doc = "              segmentation unless the path names them."]
     #[doc = "@param limits NULL: a perfect sense."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach for a path that leads to no field, with a list"]
-    #[doc = "        of those that there are; MIMO_E_INVALID_ARGUMENT there for a delay of more than 2000 time steps."]
+    #[doc = "Errors, from mimo_env_create and mimo_senses_attach: MIMO_E_NOT_FOUND for a path without a field, with a list of all"]
+    #[doc = "        fields; MIMO_E_INVALID_ARGUMENT for a delay of more than 2000 time steps."]
     pub fn mimo_scene_limit_sense(
         scene: *mut mimo_scene,
         agent: usize,
@@ -1106,19 +1110,19 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Limits the way of an agent's actions to its motors, for environments made from now on. Actions are clipped to their"]
-    #[doc = "bounds; then comes the gain, then the noise, then they are clipped again, then the delay. Until the first arrive,"]
-    #[doc = "motors are as the episode began. Noise is new in each step with actions and follows from the world's seed, the step"]
-    #[doc = "and the action's name. What is on its way is part of the world's state, and no episode gets anything of the one"]
-    #[doc = "before. A task sees the controls that arrive."]
-    #[doc = "@param path   a motor by its name, \"act:left_elbow\", or one of its muscles, \"act:left_elbow/negative\"; a part of the"]
-    #[doc = "              body, as MIMO_ACT_ names it: \"trunk\", \"head\", \"eyes\", \"right_arm\", \"left_arm\", \"right_hand\","]
-    #[doc = "              \"left_hand\", \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\", all. Where several calls"]
-    #[doc = "              concern an action, the last one counts."]
-    #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur is 0."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND from mimo_env_create for a path that leads to no motor, with a list of those that the agent"]
-    #[doc = "        has; MIMO_E_INVALID_ARGUMENT there for a delay of more than 2000 time steps. mimo_senses_attach refuses"]
-    #[doc = "        limits of motors with MIMO_E_UNSUPPORTED: the host commands them."]
+    #[doc = "Limits the path from an agent's actions to its motors, for environments made from now on. Actions are clipped to"]
+    #[doc = "their bounds, multiplied by the gain, given noise, clipped again, and delayed. Until the first action arrives, motors"]
+    #[doc = "are as at the start of the episode. Each step with actions draws new noise, determined by the world's seed, the step"]
+    #[doc = "and the action's name. Commands in transit are part of the world's state; an episode receives nothing of the one"]
+    #[doc = "before. Tasks see the controls that arrive."]
+    #[doc = "@param path   a motor's name, \"act:left_elbow\"; one of its muscles, \"act:left_elbow/negative\"; a part of the body, as"]
+    #[doc = "              the MIMO_ACT_ constants name it: \"trunk\", \"head\", \"eyes\", \"right_arm\", \"left_arm\", \"right_hand\","]
+    #[doc = "              \"left_hand\", \"right_leg\", \"left_leg\", \"right_foot\", \"left_foot\"; or \"\" for all. If several calls set an"]
+    #[doc = "              action, the last one applies."]
+    #[doc = "@param limits NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur must be 0."]
+    #[doc = "Errors, from mimo_env_create: MIMO_E_NOT_FOUND for a path without a motor, with a list of the agent's motors;"]
+    #[doc = "        MIMO_E_INVALID_ARGUMENT for a delay of more than 2000 time steps. mimo_senses_attach refuses limits of motors"]
+    #[doc = "        with MIMO_E_UNSUPPORTED, because the host commands them."]
     pub fn mimo_scene_limit_motor(
         scene: *mut mimo_scene,
         agent: usize,
@@ -1126,34 +1130,34 @@ extern "C" {
         limits: *const mimo_limits,
     ) -> mimo_status;
 }
-#[doc = "How mature an agent's eyes and nerves are, in numbers. Sources, and which of them are weak: docs/guide/maturity.md."]
-#[doc = "A nerve of length L is late by L / conduction_speed, and by what its way through the brain adds:"]
-#[doc = "  - touch by the part of the body that a sensor sits on, proprioception by the part that a joint moves:"]
-#[doc = "    sensory_delay;"]
-#[doc = "  - the vestibular sense, vision and hearing by their own delay alone;"]
-#[doc = "  - an action by the part that its motor moves: motor_delay."]
-#[doc = "Lengths are those of the agent's own body, MIMO_BODY_NERVE_LENGTH; delays are rounded to the nearest number of time"]
-#[doc = "steps of the model (with attached senses to that of the host's steps)."]
+#[doc = "The maturity of an agent's eyes and nerves. docs/guide/maturity.md gives the sources and names the weak ones."]
+#[doc = "A nerve of length L adds a delay of L / conduction_speed, and its path in the brain adds another one:"]
+#[doc = "  - touch: the nerve from the body part with the sensor, and sensory_delay;"]
+#[doc = "  - proprioception: the nerve from the body part that the joint moves, and sensory_delay;"]
+#[doc = "  - the vestibular sense, vision and hearing: their own delay alone;"]
+#[doc = "  - an action: the nerve to the body part that its motor moves, and motor_delay."]
+#[doc = "Nerve lengths follow from the agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number of"]
+#[doc = "time steps of the model (with attached senses, of the host's steps)."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_maturity {
     #[doc = "sizeof(mimo_maturity), set by mimo_maturity_init."]
     pub struct_size: u32,
-    #[doc = "1: contrasts that are too faint to be seen are gone; 0 (default): they stay."]
-    #[doc = "Counts with an acuity."]
+    #[doc = "1: contrasts below the threshold disappear; 0 (default): they stay. Needs"]
+    #[doc = "an acuity."]
     pub contrast_threshold: u32,
-    #[doc = "The finest lines that are seen, cycles per degree, 0.05 to 1000; 0 (default):"]
-    #[doc = "pictures as they are drawn."]
+    #[doc = "The finest visible lines, cycles per degree, 0.05 to 1000; 0 (default): pictures"]
+    #[doc = "as drawn."]
     pub acuity: f64,
-    #[doc = "The greatest contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast"]
-    #[doc = "of the contrast is left. Default 2. Counts with an acuity."]
+    #[doc = "Peak contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of the"]
+    #[doc = "contrast is left. Default 2. Needs an acuity."]
     pub peak_contrast: f64,
-    #[doc = "Share of colour that is seen, 0 (grey) to 1 (default)."]
+    #[doc = "Visible share of colour, 0 (grey) to 1 (default)."]
     pub chroma: f64,
-    #[doc = "Changes faster than this are seen less and less, Hz, 0.01 to 1000: a low-pass over"]
-    #[doc = "the pictures that are sensed. 0 (default): none."]
+    #[doc = "Cut-off frequency of a low-pass filter over the sensed pictures, Hz, 0.01 to 1000."]
+    #[doc = "0 (default): no filter."]
     pub flicker: f64,
-    #[doc = "Of large nerve fibres, m/s, 0.1 to 200; 0 (default): they take no time."]
+    #[doc = "Of large nerve fibres, m/s, 0.1 to 200; 0 (default): no delay."]
     pub conduction_speed: f64,
     #[doc = "From the brain stem to the cortex, s, 0 to 2."]
     pub sensory_delay: f64,
@@ -1167,23 +1171,23 @@ pub struct mimo_maturity {
     pub hearing_delay: f64,
 }
 extern "C" {
-    #[doc = "Fills maturity with that of perfect eyes, and of nerves that take no time."]
+    #[doc = "Fills a maturity with defaults: perfect eyes, and nerves without delay."]
     #[doc = "@param size sizeof(mimo_maturity) as the caller knows it."]
     pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Fills maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0; 4, 8 and 15 Hz"]
-    #[doc = "are flicker's at 2, 4 and 12 months."]
+    #[doc = "Fills a maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0; measured"]
+    #[doc = "values for flicker are 4, 8 and 15 Hz at 2, 4 and 12 months."]
     #[doc = "@param age      months, 0 (a newborn) to 24."]
     #[doc = "@param size     sizeof(mimo_maturity) as the caller knows it."]
     pub fn mimo_maturity_at(age: f64, maturity: *mut mimo_maturity, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Gives an agent such eyes and nerves, for environments made and senses attached from now on. Limits of"]
-    #[doc = "mimo_scene_limit_sense and mimo_scene_limit_motor have the last word: what they concern is as late as they say."]
-    #[doc = "Attached senses have no motors, so that their delays do not count."]
-    #[doc = "@param maturity NULL: as old as the agent's mimo_growth says, by its member maturity."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for an agent that is no infant where nerves take time."]
+    #[doc = "Sets the maturity of an agent, for environments made and senses attached from now on. Limits set by"]
+    #[doc = "mimo_scene_limit_sense and mimo_scene_limit_motor replace its delays. Attached senses have no motors and ignore"]
+    #[doc = "motor_delay."]
+    #[doc = "@param maturity NULL: by the age and the member maturity of the agent's mimo_growth."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for nerves with delays of an agent that is not an infant."]
     pub fn mimo_scene_set_maturity(
         scene: *mut mimo_scene,
         agent: usize,
@@ -1191,14 +1195,14 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How late an agent feels a part of its body, for environments made and senses attached from now on: touch on it, and"]
-    #[doc = "the joints that move it. It counts instead of what follows from the maturity; limits of mimo_scene_limit_sense come"]
-    #[doc = "before it. For the way back to motors see mimo_scene_limit_motor."]
-    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, and what was set before for"]
-    #[doc = "               single ones no longer counts."]
+    #[doc = "Sets the delay with which an agent feels a part of its body, for environments made and senses attached from now on:"]
+    #[doc = "touch on the part, and the joints that move it. It replaces the delay that follows from the maturity; limits set by"]
+    #[doc = "mimo_scene_limit_sense replace this one. For motors see mimo_scene_limit_motor."]
+    #[doc = "@param body    name of a body without its agent's name, \"left_hand\"; NULL: every body, which replaces what was set"]
+    #[doc = "               for single ones before."]
     #[doc = "@param seconds 0 to 2; rounded to the nearest number of time steps of the model."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for a body that the infant does not have; the message lists those that it has. Where the"]
-    #[doc = "        scene does not know (an agent with a root), it comes when an environment is made or senses are attached."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown body; the message lists the infant's bodies. For an agent with a root the"]
+    #[doc = "        error comes when an environment is made or senses are attached."]
     pub fn mimo_scene_set_sensory_delay(
         scene: *mut mimo_scene,
         agent: usize,
@@ -1207,17 +1211,18 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets how warm the room is: its air, and all that has no temperature of its own. Default 24, at which naked skin is"]
-    #[doc = "33.0. Infants are as warm as skin in that room. For environments made and senses attached from now on."]
+    #[doc = "Sets the temperature of the room: of its air, and of every body without a temperature of its own. Default 24, in"]
+    #[doc = "which naked skin has 33.0. Infants have the temperature of skin in that room. For environments made and senses"]
+    #[doc = "attached from now on."]
     #[doc = "@param celsius -40 to 80."]
     pub fn mimo_scene_set_room_temperature(scene: *mut mimo_scene, celsius: f64) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets how warm a body of the scene is, with all that hangs on it; it stays so whatever touches it. Where several calls"]
-    #[doc = "concern a body, the last one counts. A flex of MuJoCo 4 hangs on a body if all its vertices do."]
+    #[doc = "Sets the temperature of a body of the scene and its child bodies. It is constant; contact does not change it. If"]
+    #[doc = "several calls set a body, the last one applies. A flex of MuJoCo 4 belongs to a body if all its vertices do."]
     #[doc = "@param body    its name in the model, \"cup\", \"anna/left_hand\"."]
     #[doc = "@param celsius -273.15 (absolute zero) to 1000."]
-    #[doc = "Errors: a body that the model does not have is MIMO_E_NOT_FOUND from mimo_env_create and mimo_senses_attach."]
+    #[doc = "Errors: mimo_env_create and mimo_senses_attach return MIMO_E_NOT_FOUND for an unknown body."]
     pub fn mimo_scene_set_temperature(
         scene: *mut mimo_scene,
         body: *const std::os::raw::c_char,
@@ -1225,12 +1230,11 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets what a body of the scene is made of, with all that hangs on it: how well it takes heat, how it feels to slide"]
-    #[doc = "over, and how it sounds when it is struck. Default \"plastic\", of infants \"skin\"."]
+    #[doc = "Sets the material of a body of the scene and its child bodies. It determines how the body conducts heat, how its"]
+    #[doc = "surface feels in sliding, and how it sounds when struck. Default \"plastic\", for infants \"skin\"."]
     #[doc = "@param body     as in mimo_scene_set_temperature."]
     #[doc = "@param material one of mimo_material_name."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of those that there are; bodies as in"]
-    #[doc = "        mimo_scene_set_temperature."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of all; bodies as in mimo_scene_set_temperature."]
     pub fn mimo_scene_set_material(
         scene: *mut mimo_scene,
         body: *const std::os::raw::c_char,
@@ -1243,13 +1247,13 @@ extern "C" {
     #[doc = "\"ceramic\", \"cardboard\", \"concrete\", \"carpet\". Static string."]
     pub fn mimo_material_name(index: usize) -> *const std::os::raw::c_char;
 }
-#[doc = "What something observes, acts with and is rewarded for: see mimo_env_layout, mimo_batch_layout, mimo_senses_layout.\nIt never changes, but for bounds, receptors and times where a reset brings another age. It belongs to the world, the\nbatch or the senses that it describes, and is refused (MIMO_E_BAD_HANDLE) when they are gone. Worlds of a batch have\nits layout.\nAny number of threads may ask it, also while its owner steps or becomes of another age: each answer is of one age.\nIts strings and shapes last as long as it does."]
+#[doc = "Describes the observations, actions and rewards of a world, a batch or attached senses: see mimo_env_layout,\nmimo_batch_layout, mimo_senses_layout. It never changes, except that a reset to another age changes bounds, receptors\nand times. It belongs to the object that it describes and is refused (MIMO_E_BAD_HANDLE) when that is destroyed.\nWorlds of a batch share the batch's layout.\nAny number of threads may read it, also while its owner steps or changes age: each answer belongs to one age. Its\nstrings and shapes are valid as long as the layout."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_layout {
     _unused: [u8; 0],
 }
-#[doc = "The sizes of everything, for one world."]
+#[doc = "The sizes of one world."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_layout_info {
@@ -1257,27 +1261,27 @@ pub struct mimo_layout_info {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Size of an observation block, a multiple of 64. It should be 64-byte aligned."]
+    #[doc = "Size of an observation block, a multiple of 64. Need not be aligned."]
     pub block_bytes: usize,
     #[doc = "Number of fields."]
     pub fields: usize,
     #[doc = "Number of actions of all agents together."]
     pub actions: usize,
-    #[doc = "Number of agents: of rewards, flags and outcomes."]
+    #[doc = "Number of agents, so of rewards, flags and outcomes."]
     pub agents: usize,
     #[doc = "Number of reward terms of all agents together."]
     pub terms: usize,
 }
 extern "C" {
-    #[doc = "Tells the sizes. Set info->struct_size first."]
+    #[doc = "Returns the sizes. Set info->struct_size first."]
     pub fn mimo_layout_describe(layout: *const mimo_layout, info: *mut mimo_layout_info) -> mimo_status;
 }
 #[doc = "One field of the observation block."]
 #[doc = ""]
-#[doc = "When it is true: what a step gives belongs to the time from start to end, in seconds after the step's end; both are 0"]
-#[doc = "for what is true then, both are negative for what is late or belongs to the start of the last physics step, and start"]
-#[doc = "is before end for what was gathered meanwhile. After a reset, and from mimo_env_observe, it belongs to now, but for"]
-#[doc = "what is late."]
+#[doc = "Its time: the value that a step gives belongs to the interval from start to end, in seconds relative to the step's"]
+#[doc = "end. Both are 0 for a value at the step's end. Both are negative for a delayed value, or one at the start of the last"]
+#[doc = "physics step. Start is before end for a value collected over an interval. After a reset, and from mimo_env_observe,"]
+#[doc = "values belong to the current time, except delayed ones."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_field {
@@ -1299,19 +1303,19 @@ pub struct mimo_field {
     pub shape: *const usize,
     #[doc = "At least 1."]
     pub ndim: usize,
-    #[doc = "Smallest possible value; -infinity where there is none."]
+    #[doc = "Smallest possible value; -infinity if there is none."]
     pub low: f64,
-    #[doc = "Largest possible value; infinity where there is none."]
+    #[doc = "Largest possible value; infinity if there is none."]
     pub high: f64,
     #[doc = "Seconds after the step's end, <= 0."]
     pub start: f64,
     #[doc = "Seconds after the step's end, start <= end <= 0."]
     pub end: f64,
-    #[doc = "Seconds from one new value to the next: those of a step."]
+    #[doc = "Seconds between new values: the length of a step."]
     pub period: f64,
-    #[doc = "On how many receptors it reports, in the order of its first axis; 0: it is not of skin."]
+    #[doc = "Number of skin receptors along its first axis; 0: not a skin field."]
     pub receptors: usize,
-    #[doc = "Of sound, samples a second, the oldest first, up to `end`; 0: it is no sound."]
+    #[doc = "For sound: samples per second, the oldest first, up to `end`; 0: not a sound."]
     pub sample_rate: f64,
 }
 extern "C" {
@@ -1320,7 +1324,7 @@ extern "C" {
         -> mimo_status;
 }
 extern "C" {
-    #[doc = "Finds a field by its name. Errors: MIMO_E_NOT_FOUND; the message lists names that are there."]
+    #[doc = "Finds a field by its name. Errors: MIMO_E_NOT_FOUND; the message lists existing names."]
     pub fn mimo_layout_find(
         layout: *const mimo_layout,
         name: *const std::os::raw::c_char,
@@ -1328,10 +1332,10 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "What one element of a field is: the joint, sensor or actuator it belongs to, \"robot:left_elbow\"."]
+    #[doc = "Name of one element of a field: its joint, sensor or actuator, \"robot:left_elbow\"."]
     #[doc = "@param field   index of the field."]
     #[doc = "@param element position in the flattened field."]
-    #[doc = "@param label   receives a string; \"\" for pictures and touch, which have no labels."]
+    #[doc = "@param label   receives a string; \"\" for pictures and touch."]
     pub fn mimo_layout_label(
         layout: *const mimo_layout,
         field: usize,
@@ -1340,9 +1344,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How late the elements of a field come, in seconds: whole numbers of the model's time steps, 0 for what is sensed at"]
-    #[doc = "once. A field's start and end are those of all its elements. A batch tells those of its first world, which others of"]
-    #[doc = "another age do not share."]
+    #[doc = "Delays of a field's elements in seconds: multiples of the model's time step, 0 for elements sensed at once. A field's"]
+    #[doc = "start and end cover all its elements. A batch gives the delays of its first world; worlds of another age have other"]
+    #[doc = "ones."]
     #[doc = "@param field   index of the field."]
     #[doc = "@param seconds receives one number for each element of the flattened field."]
     #[doc = "@param count   length of seconds: the product of the field's shape."]
@@ -1354,12 +1358,12 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of each, in its"]
-    #[doc = "own frame: x to the right, y up, z backwards."]
-    #[doc = "@param field      index of a picture: of colour, depth or segmentation."]
+    #[doc = "Directions of a picture's pixels, foveated or not: unit vectors from the eye or camera to the middle of each pixel,"]
+    #[doc = "in the camera's frame: x to the right, y up, z backwards."]
+    #[doc = "@param field      index of a picture field: colour, depth or segmentation."]
     #[doc = "@param directions receives height x width x 3 numbers."]
     #[doc = "@param count      length of directions."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a field that is no picture."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a field that is not a picture."]
     pub fn mimo_layout_directions(
         layout: *const mimo_layout,
         field: usize,
@@ -1368,7 +1372,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How many values a quantity (MIMO_RECEPTOR_POSITION ...) has for all receptors of a field together."]
+    #[doc = "Number of values of a quantity (MIMO_RECEPTOR_POSITION ...) for all receptors of a field together."]
     pub fn mimo_layout_receptor_width(
         layout: *const mimo_layout,
         field: usize,
@@ -1377,7 +1381,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Where a field's receptors are: a quantity of all of them, one after the other."]
+    #[doc = "Reads a quantity of all receptors of a field, one after the other."]
     #[doc = "@param value_count length of values, as mimo_layout_receptor_width gives it."]
     pub fn mimo_layout_receptors(
         layout: *const mimo_layout,
@@ -1387,7 +1391,7 @@ extern "C" {
         value_count: usize,
     ) -> mimo_status;
 }
-#[doc = "One action: the control input of one motor, as a share of its largest torque, or what agent.h says."]
+#[doc = "One action: by default a motor's control input as a share of its largest torque; agent.h has the alternatives."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_action {
@@ -1395,13 +1399,13 @@ pub struct mimo_action {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Its actuator's, \"act:left_elbow\", or its muscle's."]
+    #[doc = "Name of its actuator, \"act:left_elbow\", or muscle."]
     pub name: *const std::os::raw::c_char,
     #[doc = "\"rad\" under position control without normalize_actions; \"\" for none."]
     pub unit: *const std::os::raw::c_char,
-    #[doc = "Whose it is."]
+    #[doc = "Index of its agent."]
     pub agent: usize,
-    #[doc = "Smallest value, a number of a float; -infinity where there is none."]
+    #[doc = "Smallest value, representable as a float; -infinity if there is none."]
     pub low: f64,
     #[doc = "Largest value."]
     pub high: f64,
@@ -1424,56 +1428,56 @@ pub struct mimo_term {
     pub reserved: u32,
     #[doc = "\"distance\"."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "Whose reward."]
+    #[doc = "Index of the agent whose reward it is part of."]
     pub agent: usize,
 }
 extern "C" {
     #[doc = "Describes the index-th term of mimo_env_results. Set term->struct_size first."]
     pub fn mimo_layout_term(layout: *const mimo_layout, index: usize, term: *mut mimo_term) -> mimo_status;
 }
-#[doc = "A world: physics, agents, senses, observation layout."]
+#[doc = "A world: physics, agents, senses and task."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_env {
     _unused: [u8; 0],
 }
-#[doc = "How a world is simulated."]
+#[doc = "Settings of a world."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_env_config {
     #[doc = "sizeof(mimo_env_config), set by mimo_env_config_init."]
     pub struct_size: u32,
     #[doc = "Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms"]
-    #[doc = "in built-in scenes. Default 0: the scene's own, mostly 2."]
+    #[doc = "in built-in scenes. 0 (default): the scene's, usually 2."]
     pub frame_skip: u32,
     #[doc = "A MIMO_JACOBIAN_ constant."]
     pub jacobian: i32,
     #[doc = "MIMO_DISABLE_ bits."]
     pub disable: u32,
-    #[doc = "\"ray\" (our own, on the CPU), \"auto\" (default): ray where the scene allows, else osmesa;"]
-    #[doc = "\"osmesa\", \"gl\" (MuJoCo's, on the CPU or a graphics card); \"none\": eyes must be off."]
+    #[doc = "\"ray\": libmimo's, on the CPU; \"osmesa\", \"gl\": MuJoCo's, on the CPU or a graphics card;"]
+    #[doc = "\"none\": no pictures, vision must be off; \"auto\" (default, and NULL): ray if the scene"]
+    #[doc = "allows it, else osmesa."]
     pub renderer: *const std::os::raw::c_char,
     #[doc = "Steps after which an episode is truncated; 0: the task's parameter episode_steps."]
     pub max_steps: u32,
-    #[doc = "1: mimo_env_timing counts; costs a few clock reads a step."]
+    #[doc = "1: enables mimo_env_timing; costs a few clock reads per step."]
     pub timing: u32,
-    #[doc = "Messages during create, reset and step, or NULL."]
+    #[doc = "Receives messages during create, reset and step, or NULL."]
     pub log: mimo_log_fn,
     #[doc = "Passed to log."]
     pub log_user: *mut std::os::raw::c_void,
-    #[doc = "See mimo_task_name; NULL: the scene's own. Every agent has the task for itself."]
+    #[doc = "See mimo_task_name; NULL: the scene's. Every agent performs the task separately."]
     pub task: *const std::os::raw::c_char,
-    #[doc = "MIMO_RENDER_ bits: what pictures show; what is left out costs nothing. Default: all but"]
-    #[doc = "fog."]
+    #[doc = "MIMO_RENDER_ bits: effects that pictures show; the others cost nothing. Default: all"]
+    #[doc = "except fog."]
     pub render: u32,
-    #[doc = "Samples a pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may give fewer); 0: one ray, or"]
-    #[doc = "what the model tells OpenGL."]
+    #[doc = "Samples per pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may use fewer); 0: one ray,"]
+    #[doc = "or the model's setting for OpenGL."]
     pub samples: u32,
-    #[doc = "Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them."]
-    #[doc = "Pictures do not differ. Default 1, which is best in batches."]
+    #[doc = "Threads of the ray renderer for one picture, 1 to 64, including the caller's. They do"]
+    #[doc = "not change pictures. Default 1, the best choice in batches."]
     pub render_threads: u32,
-    #[doc = "1: what touched what during a step is recorded (MIMO_STEP_CONTACT). Default 0, which"]
-    #[doc = "costs nothing."]
+    #[doc = "1: records the contacts of each step (MIMO_STEP_CONTACT). Default 0, at no cost."]
     pub step_contacts: u32,
 }
 extern "C" {
@@ -1482,14 +1486,15 @@ extern "C" {
     pub fn mimo_env_config_init(config: *mut mimo_env_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Compiles a scene and makes a world of it, in its initial state. No task has prepared an episode then: reset it first."]
-    #[doc = "Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched."]
-    #[doc = "@param scene  is not needed any more afterwards."]
+    #[doc = "Compiles a scene and makes a world in its initial state. Reset it before the first step: only a reset lets the task"]
+    #[doc = "prepare an episode."]
+    #[doc = "Note: MuJoCo's XML loader calls srand(123), the only process state that changes."]
+    #[doc = "@param scene  is not needed afterwards."]
     #[doc = "@param config NULL means defaults."]
-    #[doc = "Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for any task"]
-    #[doc = "        except \"none\" in a scene without agents (of a built-in scene without task and agents the log tells);"]
-    #[doc = "        MIMO_E_UNSUPPORTED when eyes are on and no renderer works here, when the program's C++ locale has a decimal"]
-    #[doc = "        comma, or when a MuJoCo of another version lies in the program's global scope."]
+    #[doc = "Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for a task"]
+    #[doc = "        other than \"none\" in a scene without agents (a built-in scene with neither logs a message);"]
+    #[doc = "        MIMO_E_UNSUPPORTED if vision is on and no renderer works on this machine, if the program's C++ locale has a"]
+    #[doc = "        decimal comma, or if another version of MuJoCo is in the program's global scope."]
     pub fn mimo_env_create(
         scene: *const mimo_scene,
         config: *const mimo_env_config,
@@ -1497,34 +1502,34 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The usual case in one call: a built-in scene by name with its own infants (mimo_scene_add_agents) and task."]
+    #[doc = "Makes a world of a built-in scene with its infants (mimo_scene_add_agents) and task, in one call."]
     pub fn mimo_env_make(scene_name: *const std::os::raw::c_char, env: *mut *mut mimo_env) -> mimo_status;
 }
 extern "C" {
     #[doc = "Destroys a world. NULL and destroyed handles are ignored."]
     pub fn mimo_env_destroy(env: *mut mimo_env);
 }
-#[doc = "What is to be known of one agent of a world."]
+#[doc = "Describes one agent of a world."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_agent_info {
     #[doc = "sizeof(mimo_agent_info), set by the caller."]
     pub struct_size: u32,
-    #[doc = "Where its actions start in the action array."]
+    #[doc = "Index of its first action in the action array."]
     pub action_offset: u32,
-    #[doc = "How many they are."]
+    #[doc = "Number of its actions."]
     pub action_count: u32,
     #[doc = "0."]
     pub reserved: u32,
     #[doc = "Owned by the environment."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "Of its whole body in its model, kg; MIMO_BODY_MASS may say otherwise since."]
+    #[doc = "Mass of its body in the model, kg; setting MIMO_BODY_MASS does not change it."]
     pub mass: f64,
     #[doc = "Vertical extent of its geoms in the initial pose qpos0, metres."]
     pub height: f64,
 }
 extern "C" {
-    #[doc = "What a world observes, acts with and is rewarded for."]
+    #[doc = "Layout of the world's observations, actions and rewards."]
     pub fn mimo_env_layout(env: *const mimo_env, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
@@ -1539,33 +1544,35 @@ extern "C" {
     #[doc = "Describes the index-th agent. Set info->struct_size first."]
     pub fn mimo_env_agent(env: *const mimo_env, index: usize, info: *mut mimo_agent_info) -> mimo_status;
 }
-#[doc = "How an episode starts. Who sets nothing but struct_size gets what NULL gives."]
+#[doc = "How an episode starts. A struct that is zero except for struct_size has the same effect as NULL."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_reset_config {
     #[doc = "sizeof(mimo_reset_config), set by the caller."]
     pub struct_size: u32,
-    #[doc = "1: the random numbers start anew from seed; 0: they go on."]
+    #[doc = "1: the random numbers restart from seed; 0: they continue."]
     pub seeded: u32,
-    #[doc = "Any number; 0 where seeded is 0."]
+    #[doc = "Any number; 0 if seeded is 0."]
     pub seed: u64,
-    #[doc = "What infants become: one growth for all of them, or one for each agent, of which NULL stay as they are."]
+    #[doc = "The infants' new age and size: one growth for all, or one per agent, where NULL keeps that agent's."]
     pub growth: *const *const mimo_growth,
-    #[doc = "0: all stay as they are; 1: all infants; else as many as there are agents."]
+    #[doc = "0: no change; 1: for all infants; else the number of agents."]
     pub growth_count: usize,
 }
 extern "C" {
-    #[doc = "Starts an episode: from the scene's stored state, as its task wants it."]
+    #[doc = "Starts an episode from the scene's stored state, prepared by the task. The random numbers of a world that was never"]
+    #[doc = "seeded start as with seed 0."]
     #[doc = ""]
-    #[doc = "With a growth that its infants do not have yet the world has another model afterwards. Its handle stays and so does"]
-    #[doc = "its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Ids stay; names, but"]
-    #[doc = "for the layout's, are to be asked for again. Random numbers go on; gravity, faces, timing, counts of warnings stay."]
-    #[doc = "All else that was set and outlives resets is as in a new world, for it belonged to another body. A world, its clones"]
-    #[doc = "and a batch compile each age once: they keep the last 8, and those in use."]
-    #[doc = "@param config NULL: the world's random numbers go on."]
-    #[doc = "@param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0."]
-    #[doc = "Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the"]
-    #[doc = "        observation (keep_spacing); MIMO_E_TASK where a task of your own fails. With another age nothing has changed."]
+    #[doc = "A growth that differs from the infants' gives the world another model. Its handle and layout stay: names, shapes and"]
+    #[doc = "offsets are unchanged, bounds and receptors are updated. Ids remain valid; strings other than the layout's do not:"]
+    #[doc = "ask for them again. Random numbers continue; gravity, faces, timing and counts of warnings stay. Other values that"]
+    #[doc = "survive resets are as in a new world, because they belonged to the previous body. A world, its clones and a batch"]
+    #[doc = "compile each age once; they keep the last 8 and all that are in use."]
+    #[doc = "@param config NULL: the random numbers continue."]
+    #[doc = "@param block  receives the observation, as from mimo_env_observe; may be NULL with block_bytes 0."]
+    #[doc = "Errors: for a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT if it changes the shape of the observation"]
+    #[doc = "        (keep_spacing); MIMO_E_TASK if a custom task fails: with another age nothing has changed, otherwise the world"]
+    #[doc = "        is at the scene's stored state as far as the task has prepared it."]
     pub fn mimo_env_reset(
         env: *mut mimo_env,
         config: *const mimo_reset_config,
@@ -1573,7 +1580,7 @@ extern "C" {
         block_bytes: usize,
     ) -> mimo_status;
 }
-#[doc = "Where the results of a step go, beside the observation. All are optional: NULL is not written."]
+#[doc = "Buffers for the results of a step besides the observation. Each may be NULL."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_env_results {
@@ -1583,31 +1590,33 @@ pub struct mimo_env_results {
     pub reserved: u32,
     #[doc = "One per agent."]
     pub reward: *mut f64,
-    #[doc = "One per agent, 1 when its episode has ended by success or failure."]
+    #[doc = "One per agent: 1 if its episode ended by success or failure."]
     pub terminated: *mut u8,
-    #[doc = "One per agent, 1 when its episode is cut off: by its step limit, or by its task."]
+    #[doc = "One per agent: 1 if its step limit or its task cuts the episode off."]
     pub truncated: *mut u8,
-    #[doc = "One per agent, a MIMO_OUTCOME_ constant, also where that does not end the episode."]
+    #[doc = "One per agent: a MIMO_OUTCOME_ constant, also if it does not end the episode."]
     pub outcome: *mut i32,
-    #[doc = "Length of the four arrays above, as mimo_layout_info says."]
+    #[doc = "Length of the four arrays above: agents of mimo_layout_info."]
     pub agent_count: usize,
-    #[doc = "The terms that rewards are the sums of, of all agents, as mimo_layout_term names them."]
+    #[doc = "The terms of all agents' rewards (each reward is their sum), see mimo_layout_term."]
     pub terms: *mut f64,
-    #[doc = "Length of terms, as mimo_layout_info says."]
+    #[doc = "Length of terms: terms of mimo_layout_info."]
     pub term_count: usize,
 }
 extern "C" {
-    #[doc = "Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards."]
-    #[doc = "@param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the"]
-    #[doc = "               controls as they are (0 after a reset, or as set by mimo_env_set)."]
+    #[doc = "Simulates one step: sets the motors, runs frame_skip physics steps, senses, computes rewards. After the end of an"]
+    #[doc = "episode the world simply continues: truncated stays 1 until a reset, terminated follows the task in each step."]
+    #[doc = "@param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the controls unchanged"]
+    #[doc = "               (0 after a reset, or as set by mimo_env_set)."]
     #[doc = "@param block   receives the observation, every byte of it; NULL with block_bytes 0 skips the senses."]
-    #[doc = "@param results NULL: not wanted."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);"]
-    #[doc = "        MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the"]
-    #[doc = "        world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be"]
-    #[doc = "        written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION."]
-    #[doc = "        MIMO_E_TASK when a task of your own fails, whatever it returned: the step has happened then, block is written"]
-    #[doc = "        and results are not. MIMO_E_BUSY from within a task of this world: nothing happens then."]
+    #[doc = "@param results may be NULL."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds: nothing happens."]
+    #[doc = "        MIMO_E_SIMULATION if the physics fails or diverges: block and results are unspecified. The world can then be"]
+    #[doc = "        read (names, values, sizes), and values that survive resets can be written; every function that simulates,"]
+    #[doc = "        senses, draws, writes other values, saves or clones returns MIMO_E_SIMULATION until the world is reset or"]
+    #[doc = "        loads a state."]
+    #[doc = "        MIMO_E_TASK if a custom task fails, whatever it returned: the step has happened, block is written and results"]
+    #[doc = "        are not. MIMO_E_BUSY from within a task of this world: nothing happens."]
     pub fn mimo_env_step(
         env: *mut mimo_env,
         action: *const f32,
@@ -1617,7 +1626,7 @@ extern "C" {
         results: *const mimo_env_results,
     ) -> mimo_status;
 }
-#[doc = "Where joints go in a step."]
+#[doc = "The joint positions of one step of a known movement."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_movement {
@@ -1625,32 +1634,31 @@ pub struct mimo_movement {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "frame_skip x the positions of all joints, as MIMO_JOINT_POSITION has them one after the"]
-    #[doc = "other: at the end of each physics step. Quaternions are normalised."]
+    #[doc = "frame_skip x the positions of all joints, in the order of MIMO_JOINT_POSITION, at the"]
+    #[doc = "end of each physics step. Quaternions are normalised."]
     pub positions: *const f64,
     #[doc = "Length of positions."]
     pub position_count: usize,
-    #[doc = "Receives frame_skip x one for each degree of freedom: N, or Nm; or NULL."]
+    #[doc = "Receives frame_skip x one force per degree of freedom, N or Nm; or NULL."]
     pub forces: *mut f64,
     #[doc = "Length of forces."]
     pub force_count: usize,
 }
 extern "C" {
-    #[doc = "One step of a movement that is known, from video or motion capture: joints go where they are told, whatever stands in"]
-    #[doc = "their way, and all senses answer as if they had gone there by themselves. Velocities and accelerations follow from"]
-    #[doc = "positions as in a step of physics: velocity at the end is the difference over a physics step, so whoever starts a"]
-    #[doc = "movement sets MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY first. Contacts give way, and are felt, as they would with"]
-    #[doc = "these accelerations. Motors pull as their controls are, which changes nothing; no task"]
-    #[doc = "judges, no reflex acts, and no late action arrives."]
+    #[doc = "Simulates one step of a known movement, from video or motion capture: joints take the given positions, whatever is in"]
+    #[doc = "their way, and all senses respond as if they had moved there. Velocities and accelerations follow from the positions"]
+    #[doc = "as in a step of physics: the velocity at the end is the difference over a physics step. So set MIMO_JOINT_POSITION"]
+    #[doc = "and MIMO_JOINT_VELOCITY before the first step of a movement. Contacts yield and are felt according to these"]
+    #[doc = "accelerations. Motors keep their controls, without effect on the movement; no task is evaluated, no reflex acts, and"]
+    #[doc = "no delayed action arrives."]
     #[doc = ""]
-    #[doc = "The forces are those of inverse dynamics: what has to act beside gravity, contacts, limits, locks, springs and"]
-    #[doc = "dampers of the joints, at the start of each physics step. Of an infant lying there these are its muscles; those of"]
-    #[doc = "the first six degrees of freedom, its free joint, are what is missing from its contacts."]
+    #[doc = "The forces are the result of inverse dynamics at the start of each physics step: the forces needed in addition to"]
+    #[doc = "gravity, contacts, and the joints' limits, locks, springs and dampers. For a lying infant they are its muscles'"]
+    #[doc = "forces; on the first six degrees of freedom, its free joint, they are the residual that contacts do not explain."]
     #[doc = "@param block receives the observation; NULL with block_bytes 0 skips the senses."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);"]
-    #[doc = "        MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step, also"]
-    #[doc = "        where positions, or the velocities and accelerations to get there, are larger than 1e10: the block stays as"]
-    #[doc = "        it was then."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0: nothing happens;"]
+    #[doc = "        MIMO_E_UNSUPPORTED for models with an integrator other than Euler; MIMO_E_SIMULATION as mimo_env_step, also"]
+    #[doc = "        if positions or the resulting velocities or accelerations exceed 1e10: the block is not written."]
     pub fn mimo_env_follow(
         env: *mut mimo_env,
         movement: *const mimo_movement,
@@ -1659,11 +1667,11 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The observation of the current state, without changing the trajectory. All its fields belong to the current"]
-    #[doc = "state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next"]
-    #[doc = "step mimo_env_get gives values of the current state, too."]
-    #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed, or now does: where positions, velocities or accelerations are"]
-    #[doc = "        infinite or larger than 1e10; the block stays as it was then."]
+    #[doc = "Observes the current state without changing the trajectory. All fields belong to the current state, so after a step"]
+    #[doc = "it differs from the step's block in the fields whose time ends before 0. Until the next step mimo_env_get also"]
+    #[doc = "returns values of the current state."]
+    #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed, or fails now because positions, velocities or accelerations"]
+    #[doc = "        are infinite or exceed 1e10; the block is not written."]
     pub fn mimo_env_observe(
         env: *mut mimo_env,
         block: *mut std::os::raw::c_void,
@@ -1671,9 +1679,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Bare physics: count physics steps with the controls as they are, without senses and task. Muscles pull on and adapt"]
-    #[doc = "their activation; no action is on its way. What MuJoCo alone costs; also for hosts that bring senses and control of"]
-    #[doc = "their own."]
+    #[doc = "Runs physics steps with unchanged controls, without senses and task. Muscles keep pulling and adapting their"]
+    #[doc = "activation; delayed actions do not arrive. For measuring the cost of MuJoCo alone, and for hosts with their own"]
+    #[doc = "senses and control."]
     #[doc = "@param count 0 to 1000000."]
     #[doc = "Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_BUSY from within a task of this world."]
     pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
@@ -1686,7 +1694,7 @@ extern "C" {
     #[doc = "Length of one physics step, seconds."]
     pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
 }
-#[doc = "Seconds spent in the parts of steps since the last call of mimo_env_timing_reset."]
+#[doc = "Seconds spent in the parts of steps since the last mimo_env_timing_reset."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_timing {
@@ -1694,11 +1702,11 @@ pub struct mimo_timing {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Environment steps counted."]
+    #[doc = "Number of environment steps."]
     pub steps: u64,
-    #[doc = "Everything."]
+    #[doc = "The whole steps."]
     pub total: f64,
-    #[doc = "MuJoCo's steps."]
+    #[doc = "Physics steps."]
     pub physics: f64,
     #[doc = "Sense of touch."]
     pub touch: f64,
@@ -1708,24 +1716,24 @@ pub struct mimo_timing {
     pub proprioception: f64,
     #[doc = "Accelerometer and gyroscope."]
     pub vestibular: f64,
-    #[doc = "What sounds, and what reaches ears."]
+    #[doc = "Sounds, and their paths to the ears."]
     pub hearing: f64,
 }
 extern "C" {
-    #[doc = "Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first."]
+    #[doc = "Reads the timing; all 0 unless the environment was made with timing = 1. Set timing->struct_size first."]
     pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Starts counting anew."]
+    #[doc = "Resets the timing to 0."]
     pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How many of a kind (MIMO_BODY ...) the world has."]
+    #[doc = "Number of elements of a kind (MIMO_BODY ...) in the world."]
     pub fn mimo_env_count(env: *const mimo_env, kind: i32, count: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Finds something by its name."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists names that are there."]
+    #[doc = "Finds an element by its name."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND; the message lists existing names."]
     pub fn mimo_env_find(
         env: *const mimo_env,
         kind: i32,
@@ -1734,7 +1742,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Name of something; \"\" where there is none. The string is owned by the environment."]
+    #[doc = "Name of an element; \"\" if it has none. The string is owned by the environment."]
     pub fn mimo_env_name(
         env: *const mimo_env,
         kind: i32,
@@ -1747,7 +1755,7 @@ extern "C" {
     pub fn mimo_env_body_of(env: *const mimo_env, kind: i32, id: i32, body: *mut i32) -> mimo_status;
 }
 extern "C" {
-    #[doc = "How many values a quantity (MIMO_JOINT_POSITION ...) has for a list of ids together."]
+    #[doc = "Number of values of a quantity (MIMO_JOINT_POSITION ...) for a list of ids together."]
     #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
     pub fn mimo_env_width(
         env: *const mimo_env,
@@ -1758,17 +1766,17 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Reads a quantity of many at once, one after the other."]
-    #[doc = "What is never computed (positions and velocities of joints, controls, forces that you apply, and all of W) is"]
-    #[doc = "current. Poses, positions, orientations, centres of mass and velocities of bodies belong to where the last physics"]
-    #[doc = "step started, or are those of the last reset, mimo_env_observe, mimo_env_update, loaded state or"]
-    #[doc = "set position, if that came later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and"]
-    #[doc = "contacts are computed by physics steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and"]
-    #[doc = "mimo_env_look_angles look at the current positions and change none of these values."]
+    #[doc = "Reads a quantity of many elements at once, one after the other."]
+    #[doc = "Values that are not computed (positions and velocities of joints, controls, applied forces, and all marked W) are"]
+    #[doc = "current. Poses, positions, orientations, centres of mass and velocities of bodies belong to the start of the last"]
+    #[doc = "physics step, or to the last reset, mimo_env_observe, mimo_env_update, loaded state or set position if that came"]
+    #[doc = "later; with MIMO_NOW they are current. Accelerations, actuator forces, sensors and contacts are computed by physics"]
+    #[doc = "steps, resets and mimo_env_observe. mimo_env_render, mimo_env_project and mimo_env_look_angles use the current"]
+    #[doc = "positions and change none of these values."]
     #[doc = "@param quantity    may have MIMO_NOW."]
     #[doc = "@param ids         NULL with id_count 0: all of the quantity's kind."]
     #[doc = "@param value_count length of values, as mimo_env_width gives it."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for MIMO_NOW with what physics steps compute."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for MIMO_NOW with a quantity that only physics steps compute."]
     pub fn mimo_env_get(
         env: *const mimo_env,
         quantity: i32,
@@ -1790,14 +1798,14 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Writes a quantity of many at once. Quaternions and directions are normalised. When joints, bodies or lights were"]
-    #[doc = "moved, the poses of everything are recomputed (as by mimo_env_update); a moved body keeps its velocity."]
-    #[doc = "A lock holds its joint softly, from the next step on; the angle lies within the joint's range."]
-    #[doc = "Masses cost about as much as several physics steps, however many are given at once."]
+    #[doc = "Writes a quantity of many elements at once; of an id that occurs twice the last value applies. Quaternions and"]
+    #[doc = "directions are normalised. Moving joints, bodies or lights recomputes all poses (as mimo_env_update does); a moved"]
+    #[doc = "body keeps its velocity. A lock holds its joint by a soft constraint from the next step on; the angle must lie within"]
+    #[doc = "the joint's range. Setting masses costs about as much as several physics steps, independent of their number."]
     #[doc = "@param ids NULL with id_count 0: all of the quantity's kind."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, values that are not finite or not in its"]
-    #[doc = "        range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality that could hold it, or under position"]
-    #[doc = "        control; for a light that follows a body; for the face of an agent without faces. Nothing is written then."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a quantity that cannot be written, and for values that are not finite or out of"]
+    #[doc = "        range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality for it, or under position control; for a"]
+    #[doc = "        light that follows a body; for the face of an agent without faces. Nothing is written then."]
     pub fn mimo_env_set(
         env: *mut mimo_env,
         quantity: i32,
@@ -1808,25 +1816,25 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get gives those of now"]
-    #[doc = "until the next step. The trajectory stays as it was."]
+    #[doc = "Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get returns current"]
+    #[doc = "poses until the next step. The trajectory does not change."]
     pub fn mimo_env_update(env: *mut mimo_env) -> mimo_status;
 }
 extern "C" {
     #[doc = "Converts points in place: positions, or the places of touch sensors."]
-    #[doc = "@param points three numbers each, in our frame."]
+    #[doc = "@param points three numbers each, in libmimo's frame."]
     pub fn mimo_convert_points(axes: i32, points: *mut f32, point_count: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Converts directions in place: normals, forces, velocities; their lengths stay."]
+    #[doc = "Converts directions in place: normals, forces, velocities; their lengths do not change."]
     pub fn mimo_convert_directions(axes: i32, directions: *mut f32, direction_count: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Poses of now of all elements of a kind, one after the other: position, and a quaternion in the order of the frame."]
+    #[doc = "Current poses of all elements of a kind, one after the other: position, and a quaternion in the order of the frame."]
     #[doc = "@param kind        MIMO_BODY, MIMO_GEOM, MIMO_SITE or MIMO_CAMERA."]
     #[doc = "@param axes        a MIMO_AXES_ constant."]
     #[doc = "@param value_count length of poses: seven times mimo_env_count."]
-    #[doc = "A camera looks along its own -z in our frame, so along what that becomes in another one."]
+    #[doc = "A camera looks along its own -z axis in libmimo's frame, and along the converted axis in another one."]
     pub fn mimo_env_poses(
         env: *const mimo_env,
         kind: i32,
@@ -1835,34 +1843,34 @@ extern "C" {
         value_count: usize,
     ) -> mimo_status;
 }
-#[doc = "A geom as triangles, in the geom's own frame: they move with its pose. Asked for twice: with NULL for the arrays, to"]
-#[doc = "learn how many vertices and indices there are, and again with arrays of that size."]
+#[doc = "A geom as triangles, in the geom's own frame: they move with its pose. Call mimo_env_mesh twice: with NULL for the"]
+#[doc = "arrays, to learn the numbers of vertices and indices, and again with arrays of that size."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_mesh {
     #[doc = "sizeof(mimo_mesh), set by mimo_mesh_init."]
     pub struct_size: u32,
-    #[doc = "In: a MIMO_AXES_ constant. The order of a triangle's corners is the one that the"]
-    #[doc = "engine takes for an outside: counter-clockwise, clockwise in Unity and Godot."]
+    #[doc = "In: a MIMO_AXES_ constant. It also sets the order of a triangle's corners, seen from"]
+    #[doc = "outside: counter-clockwise, in Unity and Godot clockwise."]
     pub axes: i32,
-    #[doc = "In: level of detail: pieces of a circle, a multiple of 4, 4 to 256. Default 24."]
+    #[doc = "In: level of detail: segments of a circle, a multiple of 4, 4 to 256. Default 24."]
     pub segments: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "In: half the size of planes without an end, m, > 0. Default 20."]
+    #[doc = "In: half the size of infinite planes, m, > 0. Default 20."]
     pub plane: f64,
     #[doc = "In: three for each vertex, or NULL."]
     pub positions: *mut f32,
     #[doc = "In: three for each vertex, length 1, or NULL."]
     pub normals: *mut f32,
-    #[doc = "In: two for each vertex, or NULL. (0, 0) is where the texture's first row begins;"]
-    #[doc = "flat textures go on beyond 0 and 1. Zeros where the geom has no texture."]
+    #[doc = "In: two for each vertex, or NULL. (0, 0) is the start of the texture's first row; flat"]
+    #[doc = "textures repeat beyond 0 and 1. Zeros if the geom has no texture."]
     pub texcoords: *mut f32,
     #[doc = "In: three for each triangle, or NULL."]
     pub indices: *mut u32,
-    #[doc = "In: for how many vertices the arrays have room."]
+    #[doc = "In: number of vertices that fit into the arrays."]
     pub vertex_capacity: usize,
-    #[doc = "In: how many indices there is room for."]
+    #[doc = "In: number of indices that fit."]
     pub index_capacity: usize,
     #[doc = "Out."]
     pub vertex_count: usize,
@@ -1874,43 +1882,43 @@ extern "C" {
     pub fn mimo_mesh_init(mesh: *mut mimo_mesh, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "A geom as triangles. Meshes and height fields of the model come as they are, whatever segments says. Skins, tendons"]
-    #[doc = "and sites, which MuJoCo draws as well, are not to be had."]
-    #[doc = "Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message says what is needed."]
+    #[doc = "A geom as triangles. Meshes and height fields of the model are copied as they are, independent of segments. Skins,"]
+    #[doc = "tendons and sites, which MuJoCo also draws, are not available."]
+    #[doc = "Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message gives the required sizes."]
     pub fn mimo_env_mesh(env: *const mimo_env, geom: i32, mesh: *mut mimo_mesh) -> mimo_status;
 }
-#[doc = "How a geom looks, and whether it is to be seen at all. What it is made of is mimo_scene_set_material's."]
+#[doc = "The appearance of a geom. For its physical material see mimo_scene_set_material."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_appearance {
     #[doc = "sizeof(mimo_appearance), set by the caller."]
     pub struct_size: u32,
-    #[doc = "1: MuJoCo would draw it: of its groups 0 to 2, and not fully transparent."]
+    #[doc = "1: MuJoCo would draw it: its group is 0 to 2, and it is not fully transparent."]
     pub visible: u32,
-    #[doc = "MuJoCo's number of its group."]
+    #[doc = "Its group in MuJoCo."]
     pub group: i32,
-    #[doc = "Id of its texture, -1 for none: a face's, while the agent shows it."]
+    #[doc = "Id of its texture, -1 for none; for a face the one that the agent shows."]
     pub texture: i32,
-    #[doc = "Red, green, blue, opacity, 0 to 1; times the texture's."]
+    #[doc = "Red, green, blue, opacity, 0 to 1; multiplied with the texture."]
     pub color: [f32; 4usize],
-    #[doc = "How much of its colour it shines by itself, 0 to 1."]
+    #[doc = "Share of its colour that it emits, 0 to 1."]
     pub emission: f32,
     #[doc = "Strength of highlights, 0 to 1."]
     pub specular: f32,
     #[doc = "Their sharpness, 0 to 1: Phong's exponent is 128 times this."]
     pub shininess: f32,
-    #[doc = "Share of what it mirrors, 0 to 1; planes and boxes only."]
+    #[doc = "Share of light that it mirrors, 0 to 1; planes and boxes only."]
     pub reflectance: f32,
 }
 extern "C" {
-    #[doc = "How a geom looks in this world now. Set appearance->struct_size first."]
+    #[doc = "Current appearance of a geom. Set appearance->struct_size first."]
     pub fn mimo_env_appearance(
         env: *const mimo_env,
         geom: i32,
         appearance: *mut mimo_appearance,
     ) -> mimo_status;
 }
-#[doc = "A texture as pixels. Asked for twice, like a mesh."]
+#[doc = "A texture as pixels. Call mimo_env_texture twice, as for a mesh."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_texture {
@@ -1928,7 +1936,7 @@ pub struct mimo_texture {
     pub pixel_bytes: usize,
 }
 extern "C" {
-    #[doc = "How many textures the world has; ids are 0 to count - 1."]
+    #[doc = "Number of textures; ids are 0 to count - 1."]
     pub fn mimo_env_texture_count(env: *const mimo_env, count: *mut usize) -> mimo_status;
 }
 extern "C" {
@@ -1936,7 +1944,7 @@ extern "C" {
     pub fn mimo_env_texture(env: *const mimo_env, texture_id: i32, texture: *mut mimo_texture)
         -> mimo_status;
 }
-#[doc = "A light of now."]
+#[doc = "The current state of a light."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_light {
@@ -1944,27 +1952,27 @@ pub struct mimo_light {
     pub struct_size: u32,
     #[doc = "In: a MIMO_AXES_ constant."]
     pub axes: i32,
-    #[doc = "1: it shines."]
+    #[doc = "1: it is on."]
     pub active: u32,
-    #[doc = "1: parallel, like the sun's, from direction; 0: from position, within a cone."]
+    #[doc = "1: parallel light along direction, as from the sun; 0: a cone from position."]
     pub directional: u32,
     #[doc = "1: it casts shadows."]
     pub casts_shadow: u32,
-    #[doc = "Half angle of the cone, degrees; 180: to all sides."]
+    #[doc = "Half angle of the cone, degrees; 180: all directions."]
     pub cutoff: f32,
-    #[doc = "How much it is stronger in the middle of the cone; 0: even."]
+    #[doc = "Concentration towards the middle of the cone; 0: even."]
     pub exponent: f32,
-    #[doc = "Of now; zero for the headlight, which is where its camera is."]
+    #[doc = "Current position; zero for the headlight, which is at its camera."]
     pub position: [f32; 3usize],
-    #[doc = "Where it shines, unit vector."]
+    #[doc = "Direction of its light, unit vector."]
     pub direction: [f32; 3usize],
-    #[doc = "Red, green, blue that reach everything."]
+    #[doc = "Red, green, blue of its ambient part."]
     pub ambient: [f32; 3usize],
-    #[doc = "Red, green, blue that make surfaces bright that are turned to it."]
+    #[doc = "Red, green, blue of its diffuse part."]
     pub diffuse: [f32; 3usize],
     #[doc = "Red, green, blue of highlights."]
     pub specular: [f32; 3usize],
-    #[doc = "At a distance d in metres it has 1 / (a0 + a1 d + a2 d^2) of its strength."]
+    #[doc = "Its strength at a distance d in metres is divided by a0 + a1 d + a2 d^2."]
     pub attenuation: [f32; 3usize],
     #[doc = "0."]
     pub reserved: u32,
@@ -1974,46 +1982,47 @@ extern "C" {
     #[doc = "@param id a MIMO_LIGHT, or MIMO_HEADLIGHT."]
     pub fn mimo_env_light(env: *const mimo_env, id: i32, light: *mut mimo_light) -> mimo_status;
 }
-#[doc = "Where an infant looks."]
+#[doc = "The gaze of an infant."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_gaze {
     #[doc = "sizeof(mimo_gaze), set by the caller."]
     pub struct_size: u32,
-    #[doc = "1: the lines of sight come closest before both eyes; 0: they lead apart."]
+    #[doc = "1: the lines of sight converge in front of the eyes; 0: they diverge."]
     pub meets: u32,
-    #[doc = "Of the left eye's camera, world, m."]
+    #[doc = "Position of the left eye's camera, world, m."]
     pub left_position: [f64; 3usize],
     #[doc = "Its line of sight, unit vector, world."]
     pub left_direction: [f64; 3usize],
-    #[doc = "Of the right eye's camera."]
+    #[doc = "Position of the right eye's camera."]
     pub right_position: [f64; 3usize],
     #[doc = "Its line of sight."]
     pub right_direction: [f64; 3usize],
-    #[doc = "Angle between the lines of sight, rad; negative where they lead apart."]
+    #[doc = "Angle between the lines of sight, rad; negative if they diverge."]
     pub vergence: f64,
-    #[doc = "Where they meet: half-way where they are closest, world, m; zero if they do not."]
+    #[doc = "Their meeting point: the middle of their closest approach, world, m; zero if they"]
+    #[doc = "diverge."]
     pub point: [f64; 3usize],
-    #[doc = "How far they pass each other there, m."]
+    #[doc = "Their distance there, m."]
     pub miss: f64,
 }
 extern "C" {
-    #[doc = "Where an agent looks, by its eyes' cameras where mimo_env_get has them: after a step as at the start of the last"]
-    #[doc = "physics step, after mimo_env_update as they are now. Set gaze->struct_size first."]
+    #[doc = "The gaze of an agent, from the poses of its eyes' cameras that mimo_env_get returns: after a step those at the start"]
+    #[doc = "of the last physics step, after mimo_env_update the current ones. Set gaze->struct_size first."]
     pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position"]
-    #[doc = "control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0."]
+    #[doc = "Computes the joint angles with which an agent looks at a point from the current position of its chest, without moving"]
+    #[doc = "anything: for position control, for locks, or for mimo_env_set. The torsion of the eyes is 0."]
     #[doc = "@param point    three numbers, metres, world frame."]
     #[doc = "@param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD."]
-    #[doc = "@param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD"]
-    #[doc = "                swivel and tilt of the head before them. May be NULL."]
-    #[doc = "@param angles   receives their angles, rad, cut to the joints' ranges; may be NULL."]
-    #[doc = "@param capacity how many joints the arrays have room for; 0 where both are NULL, to learn the count."]
-    #[doc = "@param count    receives how many there are; may be NULL."]
-    #[doc = "@param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;"]
-    #[doc = "                may be NULL."]
+    #[doc = "@param joints   receives ids: with MIMO_LOOK_HEAD swivel and tilt of the head; then pan, tilt and torsion of the"]
+    #[doc = "                left eye and of the right one. May be NULL."]
+    #[doc = "@param angles   receives their angles, rad, clipped to the joints' ranges; may be NULL."]
+    #[doc = "@param capacity length of the arrays; 0 if both are NULL, to learn the count."]
+    #[doc = "@param count    receives the number of joints; may be NULL."]
+    #[doc = "@param errors   receives two angles, rad: by how much the left and the right eye miss the point because of their"]
+    #[doc = "                range; may be NULL."]
     #[doc = "Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL."]
     pub fn mimo_env_look_angles(
         env: *mut mimo_env,
@@ -2028,8 +2037,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Makes an agent look at a point at once: its joints are set, as by mimo_env_set, not driven. Springs and motors"]
-    #[doc = "go on moving them in the next step."]
+    #[doc = "Makes an agent look at a point at once: sets its joints as mimo_env_set does. In the next step springs and motors"]
+    #[doc = "move them again."]
     #[doc = "@param errors as in mimo_env_look_angles."]
     pub fn mimo_env_look_at(
         env: *mut mimo_env,
@@ -2039,7 +2048,7 @@ extern "C" {
         errors: *mut f64,
     ) -> mimo_status;
 }
-#[doc = "What to draw."]
+#[doc = "Settings of a picture."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_picture_config {
@@ -2055,7 +2064,7 @@ pub struct mimo_picture_config {
     pub camera: *const std::os::raw::c_char,
     #[doc = "Free camera: the point in the middle, world, m."]
     pub look_at: [f64; 3usize],
-    #[doc = "Free camera: from that point, m, > 0."]
+    #[doc = "Free camera: its distance from that point, m, > 0."]
     pub distance: f64,
     #[doc = "Free camera: degrees; 0 looks along +x, 90 along +y."]
     pub azimuth: f64,
@@ -2063,7 +2072,7 @@ pub struct mimo_picture_config {
     pub elevation: f64,
     #[doc = "Vertical field of view, degrees; 0: the camera's own."]
     pub fovy: f64,
-    #[doc = "Of colour and of places: as vision_foveation of mimo_agent_config. Default 0."]
+    #[doc = "As vision_foveation of mimo_agent_config, for colour and projected points. Default 0."]
     pub foveation: f64,
 }
 extern "C" {
@@ -2071,7 +2080,7 @@ extern "C" {
     #[doc = "@param size sizeof(mimo_picture_config) as the caller knows it."]
     pub fn mimo_picture_config_init(config: *mut mimo_picture_config, size: usize) -> mimo_status;
 }
-#[doc = "Where a picture goes. What is NULL is not drawn."]
+#[doc = "Buffers for a picture. A part whose buffer is NULL is not drawn."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_picture {
@@ -2093,9 +2102,10 @@ pub struct mimo_picture {
     pub segmentation_count: usize,
 }
 extern "C" {
-    #[doc = "Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays."]
+    #[doc = "Draws the current state: poses follow from the current positions, as with MIMO_NOW. The values of mimo_env_get do not"]
+    #[doc = "change."]
     #[doc = "@param config  NULL means defaults."]
-    #[doc = "@param picture says where it goes."]
+    #[doc = "@param picture the buffers."]
     pub fn mimo_env_render(
         env: *mut mimo_env,
         config: *const mimo_picture_config,
@@ -2103,12 +2113,12 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Where points of the world lie in the picture that mimo_env_render draws, of the current positions as well; for"]
+    #[doc = "Projects points of the world into the picture that mimo_env_render draws, also with the current positions; for"]
     #[doc = "drawing over it."]
     #[doc = "@param config NULL means defaults, as in mimo_env_render."]
     #[doc = "@param points count x 3, metres, world frame, C order; finite."]
     #[doc = "@param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the"]
-    #[doc = "              camera's axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing."]
+    #[doc = "              camera's axis in metres. A depth of 0 or less is behind the camera; its pixels have no meaning."]
     pub fn mimo_env_project(
         env: *const mimo_env,
         config: *const mimo_picture_config,
@@ -2118,12 +2128,12 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Size of the world's state in bytes. It changes only where a reset brings another age."]
+    #[doc = "Size of the world's state in bytes. Only a reset to another age changes it."]
     pub fn mimo_env_state_size(env: *const mimo_env, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, all that mimo_env_set can write, and what is late."]
-    #[doc = "The bytes may be kept in a file: machines that store numbers alike read them, and so do later versions."]
+    #[doc = "Saves physics, actuation, task, random numbers, elapsed steps, all values that mimo_env_set can write, and all"]
+    #[doc = "memories. The bytes may be kept in a file: little-endian machines and later versions read them."]
     #[doc = "@param state receives mimo_env_state_size bytes; needs no alignment."]
     #[doc = "Errors: MIMO_E_SIMULATION for a world that has failed."]
     pub fn mimo_env_state_save(
@@ -2132,7 +2142,7 @@ extern "C" {
         state_bytes: usize,
     ) -> mimo_status;
 }
-#[doc = "What a state did not hold of the world that loaded it, and the other way round."]
+#[doc = "Differences between the memories of a state and of the world that loaded it."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_load_report {
@@ -2140,23 +2150,23 @@ pub struct mimo_load_report {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "How many memories the state did not hold, or held of another length or delay: they"]
-    #[doc = "start fresh, with the first that is sensed in a step, or no action on its way."]
+    #[doc = "Number of memories that the state lacked, or had with another length or delay: they"]
+    #[doc = "start fresh, with the next sensed value, or without an action in transit."]
     pub fresh: usize,
-    #[doc = "How many memories of the state this world does not have."]
+    #[doc = "Number of memories in the state that this world does not have."]
     pub ignored: usize,
-    #[doc = "Their sections' names, \", \" between them, \"\" for none. Both strings are owned by the"]
+    #[doc = "Names of their sections, separated by \", \"; \"\" for none. Both strings are owned by the"]
     #[doc = "handle and valid until its next load."]
     pub fresh_names: *const std::os::raw::c_char,
-    #[doc = "Likewise."]
+    #[doc = "The same for the ignored ones."]
     pub ignored_names: *const std::os::raw::c_char,
 }
 extern "C" {
-    #[doc = "Loads a state that was saved from a world of the same model, agents, actuation and task; its senses may have been"]
-    #[doc = "others, and others may have been late. Poses and velocities of bodies are then those of the state; contacts, sensors"]
-    #[doc = "and forces are zero until the next step or mimo_env_observe. Makes a failed world usable again."]
-    #[doc = "@param state_bytes the state's own size, no more and no less: mimo_env_state_size of the world that saved it."]
-    #[doc = "@param report      receives what started fresh; may be NULL."]
+    #[doc = "Loads a state that was saved from a world of the same model, agents, actuation and task; its senses and delays may"]
+    #[doc = "differ. Poses and velocities of bodies are then those of the state; contacts, sensors and forces are 0 until the next"]
+    #[doc = "step or mimo_env_observe. A failed world becomes usable again."]
+    #[doc = "@param state_bytes the exact size of the state: mimo_env_state_size of the world that saved it."]
+    #[doc = "@param report      receives the memories that started fresh; may be NULL."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for a state of something else, a damaged one, or one that was cut short,"]
     #[doc = "        MIMO_E_UNSUPPORTED for one of a newer library; the world then stays as it is."]
     pub fn mimo_env_state_load(
@@ -2167,7 +2177,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Makes another world of the same scene and config, in the same state. The model is shared."]
+    #[doc = "Makes another world of the same scene and config, in the same state. Both share the model."]
     #[doc = "@param clone receives the handle; destroy it with mimo_env_destroy."]
     pub fn mimo_env_clone(env: *const mimo_env, clone: *mut *mut mimo_env) -> mimo_status;
 }
@@ -2396,32 +2406,32 @@ extern "C" {
         report: *mut mimo_replay_report,
     ) -> mimo_status;
 }
-#[doc = "Many worlds. Needs itself alone like an environment; its threads are its own business."]
+#[doc = "Many worlds. Its functions need exclusive use of it, as those of an environment; it manages its own threads."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch {
     _unused: [u8; 0],
 }
-#[doc = "How many worlds, and what happens when one's episode ends. Modes are those of Gymnasium's vector environments."]
+#[doc = "Settings of a batch. The autoreset modes are those of Gymnasium's vector environments."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch_config {
     #[doc = "sizeof(mimo_batch_config), set by mimo_batch_config_init."]
     pub struct_size: u32,
-    #[doc = "At least 1. Default 1."]
+    #[doc = "1 (default) to 1048576."]
     pub worlds: u32,
-    #[doc = "0 (default): as many as the machine has cores; never more than worlds."]
+    #[doc = "Up to 4096; 0 (default): the number of cores. Never more than worlds."]
     pub threads: u32,
     #[doc = "A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated."]
     pub autoreset: i32,
-    #[doc = "1: a world whose simulation fails starts a new episode, as after an end (with NONE: in"]
-    #[doc = "the same step). 0: it stays failed until mimo_batch_reset or a state is loaded."]
+    #[doc = "1: a world whose simulation fails starts a new episode, as after an end (with _NONE: in"]
+    #[doc = "the same step). 0: it stays failed until mimo_batch_reset or a loaded state."]
     pub restart_failed: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Ages: all infants of world i become cohort[i % cohort_count]; where that is NULL they are as the scene says."]
+    #[doc = "Ages: cohort[i % cohort_count] applies to all infants of world i; where it is NULL, the scene's age applies."]
     pub cohort: *const *const mimo_growth,
-    #[doc = "0 (default): all are as the scene says; at most worlds."]
+    #[doc = "At most worlds; 0 (default): the scene's age applies to all."]
     pub cohort_count: usize,
 }
 extern "C" {
@@ -2430,12 +2440,12 @@ extern "C" {
     pub fn mimo_batch_config_init(config: *mut mimo_batch_config, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Compiles a scene, once for each age, and makes worlds of it, which share what belongs to their age. Until seeded,"]
-    #[doc = "world i's random numbers are those of seed i."]
-    #[doc = "@param env_config   for all worlds; NULL means defaults. Messages of the worlds come on the thread that calls."]
+    #[doc = "Compiles a scene, once for each age, and makes worlds of it; worlds of one age share its model. Until it is seeded,"]
+    #[doc = "world i has the random numbers of seed i."]
+    #[doc = "@param env_config   for all worlds; NULL means defaults. Messages of the worlds arrive on the caller's thread."]
     #[doc = "@param batch_config NULL means defaults."]
-    #[doc = "Errors: as mimo_env_create; of a cohort as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would make the"]
-    #[doc = "        observations of the worlds differ in shape (keep_spacing)."]
+    #[doc = "Errors: as mimo_env_create; for a cohort as mimo_growth says, and MIMO_E_INVALID_ARGUMENT if it would make the"]
+    #[doc = "        worlds' observations differ in shape (keep_spacing)."]
     pub fn mimo_batch_create(
         scene: *const mimo_scene,
         env_config: *const mimo_env_config,
@@ -2444,7 +2454,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Destroys a batch, its worlds and their handles; waits for what was sent, with all that its tasks do. NULL and"]
+    #[doc = "Destroys a batch, its worlds and their handles; waits for a step that was sent, including its tasks. NULL and"]
     #[doc = "destroyed handles are ignored."]
     pub fn mimo_batch_destroy(batch: *mut mimo_batch);
 }
@@ -2453,23 +2463,24 @@ extern "C" {
     pub fn mimo_batch_size(batch: *const mimo_batch, worlds: *mut usize, threads: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "What each of the worlds observes, acts with and is rewarded for; also between mimo_batch_send and _receive. Of worlds"]
-    #[doc = "of different ages the bounds are the widest that any has had, the places of receptors those of the first as it was"]
-    #[doc = "made."]
+    #[doc = "Layout of each world's observations, actions and rewards; also available between mimo_batch_send and _receive. With"]
+    #[doc = "worlds of different ages the bounds are the widest so far, and the places of receptors are those of the first world"]
+    #[doc = "when it was made."]
     pub fn mimo_batch_layout(batch: *const mimo_batch, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
-    #[doc = "One world as an environment. All functions of environments work on it, between the batch's own calls: names,"]
-    #[doc = "contacts, pictures, state, single steps."]
-    #[doc = "Different worlds may then be used by different threads, or by tasks of other batches."]
-    #[doc = "@param env receives a handle that belongs to the batch; mimo_env_destroy leaves it alone. Between"]
-    #[doc = "           mimo_batch_send and mimo_batch_receive it is refused with MIMO_E_BUSY."]
+    #[doc = "One world as an environment. Between the batch's own calls all functions of environments accept it, for names,"]
+    #[doc = "contacts, pictures, states and single steps. Different worlds may then be used by different threads, or by tasks of"]
+    #[doc = "other batches."]
+    #[doc = "@param env receives a handle that belongs to the batch; mimo_env_destroy ignores it. Between mimo_batch_send and"]
+    #[doc = "           mimo_batch_receive it is refused with MIMO_E_BUSY."]
     pub fn mimo_batch_world(batch: *mut mimo_batch, world: usize, env: *mut *mut mimo_env) -> mimo_status;
 }
 extern "C" {
-    #[doc = "What became of one world in the last call that concerned it."]
-    #[doc = "@param status  MIMO_OK, or why it did not do what was asked; may be NULL."]
-    #[doc = "@param message one line, \"\" for none; valid until the next call with this batch; may be NULL."]
+    #[doc = "The error of one world in the last call of the batch that included it. Calls on the world's own handle do not change"]
+    #[doc = "it."]
+    #[doc = "@param status  receives MIMO_OK or the reason why it did not do what was asked; may be NULL."]
+    #[doc = "@param message receives one line, \"\" for none; valid until the next call with this batch; may be NULL."]
     pub fn mimo_batch_world_error(
         batch: *const mimo_batch,
         world: usize,
@@ -2477,7 +2488,7 @@ extern "C" {
         message: *mut *const std::os::raw::c_char,
     ) -> mimo_status;
 }
-#[doc = "Which worlds start an episode, and how. Who sets nothing but struct_size gets what NULL gives."]
+#[doc = "Which worlds start an episode, and how. A struct that is zero except for struct_size has the effect of NULL."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch_reset_config {
@@ -2485,18 +2496,18 @@ pub struct mimo_batch_reset_config {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "One for each world; NULL: every world goes on with its own random numbers."]
+    #[doc = "One per world; NULL: every world continues its random numbers."]
     pub seeds: *const u64,
-    #[doc = "Which worlds; NULL: all."]
+    #[doc = "The worlds to reset; NULL: all."]
     pub mask: *const u8,
     #[doc = "Length of these arrays; 0 if all are NULL."]
     pub worlds: usize,
-    #[doc = "One for each world: what all its infants become, as in mimo_reset_config; NULL, also among them: they stay."]
+    #[doc = "One per world: the new age and size of all its infants, as in mimo_reset_config; NULL, also an element: no change."]
     pub growth: *const *const mimo_growth,
 }
 extern "C" {
-    #[doc = "Starts episodes. Where a growth is refused, no world has changed."]
-    #[doc = "@param config NULL: in all worlds, with their own random numbers."]
+    #[doc = "Starts episodes. If a growth is refused, no world has changed."]
+    #[doc = "@param config NULL: all worlds, which continue their random numbers."]
     #[doc = "@param blocks receives the observations of the worlds that were reset; may be NULL with block_bytes 0."]
     pub fn mimo_batch_reset(
         batch: *mut mimo_batch,
@@ -2505,10 +2516,10 @@ extern "C" {
         block_bytes: usize,
     ) -> mimo_status;
 }
-#[doc = "Where the results of a step go, beside the observations. All are optional: NULL is not written."]
-#[doc = "A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0,"]
-#[doc = "terminated 0, truncated 1, outcome and terms 0. So does one whose task failed, but for truncated 0: it has moved. One"]
-#[doc = "whose actions are refused (see mimo_env_step) does not move, and only its status is written."]
+#[doc = "Buffers for the results of a step besides the observations. Each may be NULL."]
+#[doc = "A world whose simulation failed and that was not restarted in this step gets a block of zeros, reward 0, terminated"]
+#[doc = "0, truncated 1, outcome and terms 0. A world whose task failed gets the same, except truncated 0: its step has"]
+#[doc = "happened. A world whose actions are refused (see mimo_env_step) does not move, and only its status is written."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_batch_results {
@@ -2530,26 +2541,26 @@ pub struct mimo_batch_results {
     pub terms: *mut f64,
     #[doc = "Length of terms: worlds x terms."]
     pub term_count: usize,
-    #[doc = "Per world: MIMO_OK, or why it failed (also when it was restarted)."]
+    #[doc = "Per world: MIMO_OK, or why it failed (also if it was restarted)."]
     pub status: *mut mimo_status,
-    #[doc = "Per world: 1 when this step started a new episode: the block is its first."]
+    #[doc = "Per world: 1 if this step started a new episode: the block is its first."]
     pub was_reset: *mut u8,
-    #[doc = "Per world: 1 when its final block was written."]
+    #[doc = "Per world: 1 if its final block was written."]
     pub final_written: *mut u8,
     #[doc = "Length of the three arrays above."]
     pub worlds: usize,
     #[doc = "With MIMO_AUTORESET_SAME_STEP: last observations of the episodes that ended; other rows"]
-    #[doc = "stay as they are."]
+    #[doc = "are not written."]
     pub final_blocks: *mut std::os::raw::c_void,
-    #[doc = "Length, as that of the blocks."]
+    #[doc = "Length of final_blocks in bytes, the same as of the blocks."]
     pub final_bytes: usize,
 }
 extern "C" {
-    #[doc = "Goes one step on in all worlds."]
-    #[doc = "@param actions worlds x actions of mimo_layout_info; NULL with action_count 0 leaves all controls as they are."]
+    #[doc = "Simulates one step in all worlds."]
+    #[doc = "@param actions worlds x actions of mimo_layout_info; NULL with action_count 0 leaves all controls unchanged."]
     #[doc = "@param blocks  receives the observations; NULL with block_bytes 0 skips the senses."]
-    #[doc = "@param results NULL: not wanted."]
-    #[doc = "Errors: those of the first world that did not do what was asked and was not restarted; all others have gone on."]
+    #[doc = "@param results may be NULL."]
+    #[doc = "Errors: those of the first world that failed and was not restarted; all others have stepped."]
     pub fn mimo_batch_step(
         batch: *mut mimo_batch,
         actions: *const f32,
@@ -2560,10 +2571,9 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Starts a step and returns at once, so that the caller can do something else meanwhile. Until mimo_batch_receive the"]
-    #[doc = "actions are read, and the blocks and what results points to are written: they have to stay where they are. The struct"]
-    #[doc = "results itself is not kept. Nothing but mimo_batch_receive and mimo_batch_destroy can be called in between: the rest"]
-    #[doc = "answers MIMO_E_BUSY."]
+    #[doc = "Starts a step and returns at once, so that the caller can work meanwhile. Until mimo_batch_receive the library reads"]
+    #[doc = "the actions and writes the blocks and the arrays of results: keep them in place. The struct results itself is not"]
+    #[doc = "kept. In between only mimo_batch_receive and mimo_batch_destroy can be called; other functions return MIMO_E_BUSY."]
     pub fn mimo_batch_send(
         batch: *mut mimo_batch,
         actions: *const f32,
@@ -2575,11 +2585,11 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Waits for the step that was sent."]
-    #[doc = "Errors: as mimo_batch_step; MIMO_E_BUSY where none was sent, and within a task of that step."]
+    #[doc = "Errors: as mimo_batch_step; MIMO_E_BUSY if none was sent, and within a task of that step."]
     pub fn mimo_batch_receive(batch: *mut mimo_batch) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The observations of the current states, as mimo_env_observe."]
+    #[doc = "Observes the current states, as mimo_env_observe."]
     pub fn mimo_batch_observe(
         batch: *mut mimo_batch,
         mask: *const u8,
@@ -2589,7 +2599,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Reads a quantity of many ids in many worlds, as mimo_env_get; so that a reward needs one call and no loop."]
+    #[doc = "Reads a quantity of many ids in many worlds, as mimo_env_get, so that a reward needs one call and no loop."]
     #[doc = "@param values worlds x the width that mimo_env_width gives for the ids."]
     #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for contacts, of which worlds have different numbers."]
     pub fn mimo_batch_get(
@@ -2630,8 +2640,8 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Room for the state of each world: the size of the longest. Worlds of different ages may have states of different"]
-    #[doc = "sizes. It changes only where a reset brings another age."]
+    #[doc = "Size of each world's state: of the longest, because worlds of different ages may have states of different sizes. Only"]
+    #[doc = "a reset to another age changes it."]
     pub fn mimo_batch_state_size(batch: *const mimo_batch, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
@@ -2647,11 +2657,11 @@ extern "C" {
 }
 extern "C" {
     #[doc = "Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load."]
-    #[doc = "@param states as many bytes for each world, which begin with its state, and zeros follow; or just one state, without"]
-    #[doc = "              zeros, which all worlds load: futures of one present."]
-    #[doc = "@param report receives what started fresh in the world where that was most; may be NULL."]
-    #[doc = "Errors: as mimo_env_state_load, of the first world that did not load its state; others have. Where the bytes hold"]
-    #[doc = "        anything else than such states, no world has changed."]
+    #[doc = "@param states rows of equal length, one per world, each a state followed by zeros; or a single state without zeros,"]
+    #[doc = "              which all worlds load."]
+    #[doc = "@param report receives the report of the world with the most fresh memories; may be NULL."]
+    #[doc = "Errors: as mimo_env_state_load, of the first world that did not load its state; others have. If the bytes hold"]
+    #[doc = "        anything other than such states, no world has changed."]
     pub fn mimo_batch_state_load(
         batch: *mut mimo_batch,
         mask: *const u8,
@@ -2665,7 +2675,7 @@ extern "C" {
     #[doc = "Name of the index-th task (\"none\", \"reach\", ...), or NULL past the last. Static string."]
     pub fn mimo_task_name(index: usize) -> *const std::os::raw::c_char;
 }
-#[doc = "A number by which a task can be changed."]
+#[doc = "A parameter of a task."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_parameter {
@@ -2675,13 +2685,13 @@ pub struct mimo_parameter {
     pub reserved: u32,
     #[doc = "\"reach/success_reward\". Static."]
     pub name: *const std::os::raw::c_char,
-    #[doc = "One line; with unit. Static."]
+    #[doc = "One line, with the unit. Static."]
     pub description: *const std::os::raw::c_char,
-    #[doc = "Value unless set."]
+    #[doc = "Default value."]
     pub standard: f64,
     #[doc = "Smallest allowed value."]
     pub low: f64,
-    #[doc = "Largest allowed value. From 0 to 1 it may be a switch; the description says so."]
+    #[doc = "Largest allowed value. A range from 0 to 1 may be a switch; the description says so."]
     pub high: f64,
 }
 extern "C" {
@@ -2702,18 +2712,18 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "The value that a parameter has in this scene."]
+    #[doc = "Returns the value of a parameter in this scene."]
     pub fn mimo_scene_get_parameter(
         scene: *const mimo_scene,
         name: *const std::os::raw::c_char,
         value: *mut f64,
     ) -> mimo_status;
 }
-#[doc = "What a function of a task is told: of whom it is asked, and what happened. It lasts until the function returns."]
+#[doc = "The context of a call of a task's function. Valid until the function returns."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task_moment {
-    #[doc = "Of the library's struct. 256 bytes are there, zero beyond it."]
+    #[doc = "Size in the library. 256 bytes are readable, zero beyond it."]
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
@@ -2721,54 +2731,55 @@ pub struct mimo_task_moment {
     pub world: usize,
     #[doc = "Number of the agent."]
     pub agent: usize,
-    #[doc = "Steps since the reset, with this one: 1 after the first. 0 in reset."]
+    #[doc = "Steps since the reset, including this one: 1 after the first; 0 in reset."]
     pub step: u64,
-    #[doc = "memory_bytes of the task's own for this world and agent, 8-byte aligned, zero at the start"]
-    #[doc = "of an episode; part of the world's state. NULL where memory_bytes is 0."]
+    #[doc = "memory_bytes bytes for this world and agent, 8-byte aligned, zero at the start of an"]
+    #[doc = "episode; part of the world's state. NULL if memory_bytes is 0."]
     pub memory: *mut std::os::raw::c_void,
     #[doc = "Values of the declared fields, one field after the other, in the order of declaration; part"]
-    #[doc = "of the world's state. Zero at the start of an episode, then as last left; what they are"]
-    #[doc = "when the function returns is observed. NULL where none are declared."]
+    #[doc = "of the world's state. Zero at the start of an episode, then as last left. The values at"]
+    #[doc = "the function's return are observed. NULL if no fields are declared."]
     pub fields: *mut f32,
-    #[doc = "The agent's own actions of this step, within their bounds. NULL where the step was given"]
-    #[doc = "none, and in reset."]
+    #[doc = "The agent's actions of this step, clipped to their bounds. NULL if the step had none, and"]
+    #[doc = "in reset."]
     pub action: *const f32,
-    #[doc = "Length of action, 0 where it is NULL."]
+    #[doc = "Length of action; 0 if it is NULL."]
     pub action_count: usize,
-    #[doc = "The observation of this step, as the caller of the step gets it, of all agents; the fields"]
-    #[doc = "of tasks of one's own in it are still those of the step before. NULL where the caller asks"]
-    #[doc = "for none, and in reset."]
+    #[doc = "The observation of this step of all agents, as the caller of the step receives it, except"]
+    #[doc = "that fields of custom tasks have the values of the step before. NULL if the caller passed"]
+    #[doc = "no block, and in reset."]
     pub block: *const std::os::raw::c_void,
-    #[doc = "Length of block, 0 where it is NULL."]
+    #[doc = "Length of block; 0 if it is NULL."]
     pub block_bytes: usize,
 }
-#[doc = "What a task says of a step of one agent. All is zero unless set."]
+#[doc = "A task's evaluation of a step of one agent. All members start as zero."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task_verdict {
-    #[doc = "Of the library's struct. 256 bytes are there, zero beyond it: what is set there is"]
+    #[doc = "Size in the library. 256 bytes are there, zero beyond it; a value set beyond it is"]
     #[doc = "MIMO_E_TASK."]
     pub struct_size: u32,
     #[doc = "MIMO_OUTCOME_NONE, _SUCCESS or _FAILURE; the latter two end the episode."]
     pub outcome: i32,
-    #[doc = "Of a task without terms. Of one with terms it stays 0: the reward is their sum."]
+    #[doc = "For a task without terms. With terms it must stay 0: the reward is their sum."]
     pub reward: f64,
-    #[doc = "One for each of the task's terms. NULL where it declares none."]
+    #[doc = "One for each of the task's terms. NULL if it declares none."]
     pub terms: *mut f64,
     #[doc = "1: success or failure does not end the episode."]
     pub goes_on: u32,
     #[doc = "1: the episode is cut off here."]
     pub truncated: u32,
 }
-#[doc = "Prepares an episode of one agent, in a world that is at its start: named access moves things, mimo_env_random"]
-#[doc = "gives the random numbers."]
+#[doc = "Prepares an episode of one agent in a world at its stored state: named access moves things, mimo_env_random gives the"]
+#[doc = "random numbers."]
 #[doc = "@param user as in mimo_task."]
-#[doc = "@param env  the world; it takes everything but resets, steps and loading a state (MIMO_E_BUSY), and destruction."]
-#[doc = "@return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, whichever it was, and its message"]
-#[doc = "        quotes the constant and what mimo_fail or the failed call said."]
-#[doc = "        It must not end its thread nor jump out. An exception that leaves it fails the reset with MIMO_E_TASK, in a"]
-#[doc = "        batch only that world's, where program and library share an unwinder: on Linux and macOS. Elsewhere none"]
-#[doc = "        may leave it; mimo.hpp catches all on every system."]
+#[doc = "@param env  the world; all its functions work, except resets, steps and loading a state (MIMO_E_BUSY) and"]
+#[doc = "            destruction."]
+#[doc = "@return MIMO_OK, or any MIMO_E_ constant: the reset then returns MIMO_E_TASK, and its message quotes the constant and"]
+#[doc = "        the message of mimo_fail or of the failed call."]
+#[doc = "        The function must not end its thread and must not longjmp out. On Linux and macOS, where program and library"]
+#[doc = "        share an unwinder, an exception that leaves it fails the reset with MIMO_E_TASK (in a batch, of that world"]
+#[doc = "        alone). On other systems no exception may leave it; mimo.hpp catches all on every system."]
 pub type mimo_task_reset_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
@@ -2776,14 +2787,14 @@ pub type mimo_task_reset_fn = ::std::option::Option<
         moment: *const mimo_task_moment,
     ) -> mimo_status,
 >;
-#[doc = "Judges a step of one agent, after it was sensed. Positions of bodies are those of the start of the last physics step."]
-#[doc = "It may draw random numbers and write, to place the next goal, say: that counts from the next step on. Agents are"]
-#[doc = "asked in their order: where one's task moves bodies, or calls mimo_env_update or _observe, the next one's finds all"]
-#[doc = "bodies where they are now."]
-#[doc = "Numbers that are not finite, fields beyond their bounds, a reward beside terms: the step fails with MIMO_E_TASK and"]
-#[doc = "names them. So does an outcome that is unknown here. A step that fails by its task has happened."]
+#[doc = "Evaluates a step of one agent, after the senses. Positions of bodies belong to the start of the last physics step."]
+#[doc = "The function may draw random numbers and write values, for example to place the next goal; this takes effect in the"]
+#[doc = "next step. It is called for the agents in their order. If it moves bodies, or calls mimo_env_update or _observe, the"]
+#[doc = "next agent's call finds all bodies at their current places. The step fails with MIMO_E_TASK, which names the value,"]
+#[doc = "for numbers that are not finite, fields outside their bounds, a reward besides terms, and an unknown outcome. A step"]
+#[doc = "that fails by its task has happened."]
 #[doc = "@param env as in mimo_task_reset_fn."]
-#[doc = "@return    as there, of the step."]
+#[doc = "@return    as in mimo_task_reset_fn, for the step."]
 pub type mimo_task_evaluate_fn = ::std::option::Option<
     unsafe extern "C" fn(
         user: *mut std::os::raw::c_void,
@@ -2792,8 +2803,8 @@ pub type mimo_task_evaluate_fn = ::std::option::Option<
         verdict: *mut mimo_task_verdict,
     ) -> mimo_status,
 >;
-#[doc = "A field of the observation that a task of your own fills, of MIMO_F32: a goal, and what has been reached of it."]
-#[doc = "Each agent has one of its own, with its prefix (\"anna/goal\"). Limits of senses do not concern it."]
+#[doc = "A field of the observation that a custom task fills, of type MIMO_F32: for example a goal and the progress towards"]
+#[doc = "it. Each agent has its own, with its prefix (\"anna/goal\"). Limits of senses do not apply to it."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task_field {
@@ -2801,7 +2812,7 @@ pub struct mimo_task_field {
     pub struct_size: u32,
     #[doc = "Length of shape, up to 4. 0: the field is one number."]
     pub ndim: u32,
-    #[doc = "\"goal\", \"task/goal\"; no other field of the agent has it."]
+    #[doc = "\"goal\", \"task/goal\"; unique among the agent's fields."]
     pub name: *const std::os::raw::c_char,
     #[doc = "\"m\"; NULL: none."]
     pub unit: *const std::os::raw::c_char,
@@ -2809,17 +2820,17 @@ pub struct mimo_task_field {
     pub frame: *const std::os::raw::c_char,
     #[doc = "ndim sizes, each at least 1, the last one changes fastest."]
     pub shape: *const usize,
-    #[doc = "Smallest allowed value; -infinity unless set."]
+    #[doc = "Smallest allowed value. Default -infinity."]
     pub low: f64,
-    #[doc = "Largest allowed value; infinity unless set."]
+    #[doc = "Largest allowed value. Default infinity."]
     pub high: f64,
 }
 extern "C" {
-    #[doc = "Fills a field with defaults: one number without bounds and name."]
+    #[doc = "Fills a field with defaults: one number without bounds and without a name."]
     #[doc = "@param size sizeof(mimo_task_field) as the caller knows it."]
     pub fn mimo_task_field_init(field: *mut mimo_task_field, size: usize) -> mimo_status;
 }
-#[doc = "A task. Worlds of a batch call its functions at the same time, on several threads: `user` is shared."]
+#[doc = "A custom task. The worlds of a batch call its functions at the same time on several threads and share `user`."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_task {
@@ -2827,16 +2838,17 @@ pub struct mimo_task {
     pub struct_size: u32,
     #[doc = "0."]
     pub reserved: u32,
-    #[doc = "Passed to the functions; outlives all worlds with this task."]
+    #[doc = "Passed to the functions; must outlive all worlds with this task."]
     pub user: *mut std::os::raw::c_void,
-    #[doc = "Memory for each world and agent, up to 1048576; likewise all fields together."]
+    #[doc = "Memory per world and agent, up to 1048576; all fields together have the same"]
+    #[doc = "limit."]
     pub memory_bytes: usize,
     #[doc = "May be NULL."]
     pub reset: mimo_task_reset_fn,
-    #[doc = "Needed."]
+    #[doc = "Required."]
     pub evaluate: mimo_task_evaluate_fn,
-    #[doc = "Names of the terms that the reward is the sum of (mimo_layout_term)."]
-    #[doc = "NULL: it is one number, the term \"reward\"."]
+    #[doc = "Names of the terms whose sum is the reward (mimo_layout_term)."]
+    #[doc = "NULL: a single term \"reward\"."]
     pub terms: *const *const std::os::raw::c_char,
     #[doc = "Length of terms, up to 1000."]
     pub term_count: usize,
@@ -2851,71 +2863,69 @@ extern "C" {
     pub fn mimo_task_init(task: *mut mimo_task, size: usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Gives all worlds made from now on a task of your own, named \"custom\", in place of the scene's. NULL takes it away."]
-    #[doc = "A task that mimo_env_config names comes first. Terms and fields are copied."]
-    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT names what is wrong with a term or field; that a field has the name of another one of"]
-    #[doc = "the agent is found when worlds are made."]
+    #[doc = "Sets a custom task, named \"custom\", for all worlds made from now on, in place of the scene's. NULL removes it. A task"]
+    #[doc = "named by mimo_env_config has priority. Terms and fields are copied."]
+    #[doc = "Errors: MIMO_E_INVALID_ARGUMENT for an invalid term or field; a field with the name of another field of the agent is"]
+    #[doc = "refused when worlds are made."]
     pub fn mimo_scene_set_task(scene: *mut mimo_scene, task: *const mimo_task) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream."]
+    #[doc = "Draws numbers from 0 (inclusive) to 1 (exclusive) from the world's random stream."]
     pub fn mimo_env_random(env: *mut mimo_env, values: *mut f64, count: usize) -> mimo_status;
 }
-#[doc = "Senses that are attached to a host's model. Needs itself alone; others may read model and data meanwhile."]
+#[doc = "Senses attached to a host's model. Functions need exclusive use of it; other threads may read model and data."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_senses {
     _unused: [u8; 0],
 }
-#[doc = "What the host simulates with, and how it is to be looked at."]
+#[doc = "The host's MuJoCo, and the settings of the senses."]
 #[repr(C)]
 #[derive(Debug, Copy, Clone)]
 pub struct mimo_senses_config {
     #[doc = "sizeof(mimo_senses_config), set by mimo_senses_config_init."]
     pub struct_size: u32,
-    #[doc = "mj_version() of the host, which has to set it: that of mimo_mujoco_version, 222 for"]
-    #[doc = "\"2.2.2\"."]
+    #[doc = "Required: mj_version() of the host, 222 for \"2.2.2\"; must match mimo_mujoco_version."]
     pub mujoco_version: i32,
-    #[doc = "sizeof(mjModel) as the host's compiler knows it; 0 (default) where it cannot know, as in"]
-    #[doc = "Python."]
+    #[doc = "sizeof(mjModel) in the host; 0 (default) if it is not known, as in Python."]
     pub model_size: usize,
-    #[doc = "sizeof(mjData), likewise."]
+    #[doc = "sizeof(mjData), the same."]
     pub data_size: usize,
     #[doc = "Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time"]
-    #[doc = "step, so once every mj_step. All that remembers goes on by this much in each call:"]
-    #[doc = "delays, nerves, skin, canals, sound."]
+    #[doc = "step, one call per mj_step. Every call advances all memories by this time: delays,"]
+    #[doc = "nerves, skin, canals, sound."]
     pub step: f64,
     #[doc = "As in mimo_env_config."]
     pub renderer: *const std::os::raw::c_char,
-    #[doc = "Messages while senses are attached, or NULL."]
+    #[doc = "Receives messages while senses are attached, or NULL."]
     pub log: mimo_log_fn,
     #[doc = "Passed to log."]
     pub log_user: *mut std::os::raw::c_void,
     #[doc = "MIMO_RENDER_ bits, as in mimo_env_config."]
     pub render: u32,
-    #[doc = "Samples a pixel, as in mimo_env_config."]
+    #[doc = "Samples per pixel, as in mimo_env_config."]
     pub samples: u32,
-    #[doc = "Threads that draw one picture, as in mimo_env_config."]
+    #[doc = "Threads for one picture, as in mimo_env_config."]
     pub render_threads: u32,
     #[doc = "0."]
     pub reserved: u32,
 }
 extern "C" {
-    #[doc = "Fills a config with defaults: pictures as those of environments. The host's mujoco_version is still to be set."]
+    #[doc = "Fills a config with defaults, the same as for environments. Then set mujoco_version."]
     #[doc = "@param size sizeof(mimo_senses_config) as the caller knows it."]
     pub fn mimo_senses_config_init(config: *mut mimo_senses_config, size: usize) -> mimo_status;
 }
 extern "C" {
     #[doc = "Attaches senses to a model."]
-    #[doc = "@param scene  describes the agents (mimo_scene_add_agent with body \"scene\", and a root where it is no infant), their"]
-    #[doc = "              skin, joints and cameras, and the limits of their senses. Its own MJCF does not count. Not needed any"]
-    #[doc = "              more afterwards."]
-    #[doc = "@param model  the host's mjModel. It outlives the senses and keeps its sizes."]
-    #[doc = "@param config says the host's MuJoCo; NULL is refused, as there is no default for that."]
+    #[doc = "@param scene  describes the agents (mimo_scene_add_agent with body \"scene\", and a root for other models than"]
+    #[doc = "              infants), their skin, joints and cameras, and the limits of their senses. Its own MJCF is not used. Not"]
+    #[doc = "              needed afterwards."]
+    #[doc = "@param model  the host's mjModel. It must outlive the senses and keep its sizes."]
+    #[doc = "@param config names the host's MuJoCo; NULL is refused, because that has no default."]
     #[doc = "@param senses receives the handle; destroy it with mimo_senses_destroy."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED for a MuJoCo of another version, and for effort, muscles and limits of motors, which only"]
-    #[doc = "        worlds of the library know of; MIMO_E_INVALID_ARGUMENT for what is no mjModel;"]
-    #[doc = "        MIMO_E_NOT_FOUND for what the model lacks, with a list of what it has."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED for another version of MuJoCo, and for effort, muscles and limits of motors, which only"]
+    #[doc = "        environments have; MIMO_E_INVALID_ARGUMENT if model is not an mjModel; MIMO_E_NOT_FOUND for elements that the"]
+    #[doc = "        model does not have, with a list of those it has."]
     pub fn mimo_senses_attach(
         scene: *const mimo_scene,
         model: *const std::os::raw::c_void,
@@ -2928,14 +2938,14 @@ extern "C" {
     pub fn mimo_senses_destroy(senses: *mut mimo_senses);
 }
 extern "C" {
-    #[doc = "What is observed. There are no actions and no terms in it."]
+    #[doc = "Layout of the observation. It has no actions and no terms."]
     pub fn mimo_senses_layout(senses: *const mimo_senses, layout: *mut *const mimo_layout) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Starts an episode: nothing was sensed before what the data hold. Noise and memory start anew. Who never calls it"]
-    #[doc = "begins with the first mimo_senses_advance, as with seed 0."]
-    #[doc = "@param data as in mimo_senses_observe; after mj_forward, as an environment's reset gives it."]
-    #[doc = "@param config the seed of the noise, as in an environment's reset; NULL goes on from the last episode's."]
+    #[doc = "Starts an episode: noise and memories restart from the data. Without this call the first episode starts with the"]
+    #[doc = "first mimo_senses_advance, with seed 0."]
+    #[doc = "@param data   as in mimo_senses_observe; call mj_forward before, as an environment's reset does."]
+    #[doc = "@param config the seed of the noise, as in an environment's reset; NULL continues the noise of the last episode."]
     pub fn mimo_senses_reset(
         senses: *mut mimo_senses,
         data: *const std::os::raw::c_void,
@@ -2943,18 +2953,18 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Goes one step on: what senses remember takes in what the data hold now, and noise is drawn anew. To be called once"]
-    #[doc = "after each step of the host's, before mimo_senses_observe. Costs nothing worth mentioning where no sense is late."]
+    #[doc = "Advances all memories by one step with the current data and draws new noise. Call it once after each step of the"]
+    #[doc = "host, before mimo_senses_observe. It costs almost nothing if no sense has a memory."]
     #[doc = "@param data as in mimo_senses_observe."]
     pub fn mimo_senses_advance(senses: *mut mimo_senses, data: *const std::os::raw::c_void) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Senses what the data hold: after mj_step the fields belong to the times that mimo_field says, after mj_forward all of"]
-    #[doc = "them to now. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo only calls by itself for"]
-    #[doc = "models with force, torque or accelerometer sensors; with integrators other than Euler, accelerations and contacts are"]
-    #[doc = "those of the last stage."]
-    #[doc = "@param data  an mjData of the model, any of them, unchanged by the call; not while it is being stepped. What is late"]
-    #[doc = "             comes out of memory."]
+    #[doc = "Observes the data: after mj_step the fields belong to the times that mimo_field gives, after mj_forward all belong to"]
+    #[doc = "the current time. MIMO_PROPRIOCEPTION_JOINT_TORQUE needs mj_rnePostConstraint, which MuJoCo calls only for models"]
+    #[doc = "with force, torque or accelerometer sensors. With integrators other than Euler, accelerations and contacts belong to"]
+    #[doc = "the last stage."]
+    #[doc = "@param data  any mjData of the model, unchanged by the call; not while it is being stepped. Delayed values come from"]
+    #[doc = "             memory."]
     #[doc = "@param block receives the observation, every byte of it."]
     pub fn mimo_senses_observe(
         senses: *mut mimo_senses,
@@ -2964,13 +2974,13 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Tells fusimotor neurons of muscles how much to drive their spindles, from the next mimo_senses_advance on, until they"]
-    #[doc = "are told otherwise or an episode starts; part of the saved state."]
+    #[doc = "Sets the firing rates of fusimotor neurons, which drive muscle spindles, from the next mimo_senses_advance on, until"]
+    #[doc = "the next call or the start of an episode; part of the saved state."]
     #[doc = "@param actuators  ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all"]
     #[doc = "                  that have spindles."]
-    #[doc = "@param rates      for each of them what MIMO_ACTUATOR_FUSIMOTOR_DRIVE has: four numbers of Hz, 0 to 500."]
-    #[doc = "@param rate_count 4 times as many as actuators."]
-    #[doc = "Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or whose agent senses none. Nothing is changed then."]
+    #[doc = "@param rates      four numbers for each, Hz, 0 to 500, as in MIMO_ACTUATOR_FUSIMOTOR_DRIVE."]
+    #[doc = "@param rate_count 4 times actuator_count."]
+    #[doc = "Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or one whose agent senses none. Nothing changes then."]
     pub fn mimo_senses_drive_spindles(
         senses: *mut mimo_senses,
         actuators: *const i32,
@@ -2980,11 +2990,11 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Size in bytes of what the senses remember; it does not change."]
+    #[doc = "Size in bytes of the senses' memories; it never changes."]
     pub fn mimo_senses_state_size(senses: *const mimo_senses, bytes: *mut usize) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Saves what the senses remember, and where the episode is. The host saves its own mjData."]
+    #[doc = "Saves the senses' memories and the position in the episode. The host saves its own mjData."]
     #[doc = "@param state receives mimo_senses_state_size bytes; needs no alignment."]
     pub fn mimo_senses_state_save(
         senses: *const mimo_senses,
@@ -2993,10 +3003,10 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Loads what senses remembered that were attached to such a model, of the same sizes and names. They go on exactly as"]
-    #[doc = "those that saved it, whatever data of that model they look at. What the state lacks starts fresh, as in"]
+    #[doc = "Loads memories saved from senses on a model of the same sizes and names. These senses then continue exactly as the"]
+    #[doc = "ones that saved them, with any data of the model. Memories that the state lacks start fresh, as in"]
     #[doc = "mimo_env_state_load."]
-    #[doc = "@param report receives what started fresh; may be NULL."]
+    #[doc = "@param report receives the memories that started fresh; may be NULL."]
     #[doc = "Errors: as mimo_env_state_load; the senses then stay as they are."]
     pub fn mimo_senses_state_load(
         senses: *mut mimo_senses,
@@ -3006,20 +3016,21 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Sets how much can be played, for environments made and senses attached from now on, where an agent hears. It is part"]
-    #[doc = "of a world's state, with 4 bytes a sample."]
+    #[doc = "Sets the room for played sounds, for environments made and senses attached from now on in which an agent hears. It is"]
+    #[doc = "part of a world's state, with 4 bytes per sample."]
     #[doc = "@param count   bodies that play at the same time, 1 to 64. Default 4."]
-    #[doc = "@param seconds of sound that may wait at each, 0.01 to 600. Default 4."]
+    #[doc = "@param seconds of sound that may wait at each body, 0.01 to 600. Default 4."]
     pub fn mimo_scene_set_sources(scene: *mut mimo_scene, count: usize, seconds: f64) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Says from where and whereto a body plays, for environments made and senses attached from now on; without it from its"]
-    #[doc = "centre of mass, to all sides alike. At an angle a from the axis sound is 1 - directivity + directivity cos(a) times"]
-    #[doc = "as strong as along it: 0 alike everywhere, 0.25 half behind, 0.5 nothing behind (a cardioid), 1 a figure of eight."]
-    #[doc = "@param body        its name in the model, \"caregiver\", \"anna/head\"; unknown ones are refused when a world is made."]
+    #[doc = "Sets the place and direction of a body's sound, for environments made and senses attached from now on. By default it"]
+    #[doc = "starts at the body's centre of mass, equally in all directions. At an angle a from the axis, sound has"]
+    #[doc = "1 - directivity + directivity cos(a) of its strength on the axis: directivity 0 is equal everywhere, 0.25 half as"]
+    #[doc = "strong behind, 0.5 silent behind (a cardioid), 1 a figure of eight."]
+    #[doc = "@param body        its name in the model, \"caregiver\", \"anna/head\"; an unknown one is refused when a world is made."]
     #[doc = "@param place       3 numbers in the body's frame, m."]
-    #[doc = "@param axis        3 numbers in the body's frame, longer than 0; need not have length 1."]
-    #[doc = "@param directivity 0 to 1. Called again for a body: the last one counts."]
+    #[doc = "@param axis        3 numbers in the body's frame, of any length except 0."]
+    #[doc = "@param directivity 0 to 1. The last call for a body applies."]
     pub fn mimo_scene_direct_source(
         scene: *mut mimo_scene,
         body: *const std::os::raw::c_char,
@@ -3029,16 +3040,16 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "Lets a body play samples, from the next physics step on. While it plays already they wait until that is over, so that"]
-    #[doc = "a sound may be handed over in blocks, one each step. Sound goes out from the body's centre of mass, to all sides"]
-    #[doc = "alike unless mimo_scene_direct_source says otherwise, and takes its time to ears. A reset ends it."]
+    #[doc = "Plays samples from a body, starting with the next physics step, or after the samples that it is already playing: a"]
+    #[doc = "sound may be passed in blocks, one per step. Sound starts at the body's centre of mass, equally in all directions"]
+    #[doc = "unless mimo_scene_direct_source changed that, and reaches ears at the speed of sound. A reset ends it."]
     #[doc = "@param body    its name in the model, \"cup\", \"anna/head\"."]
-    #[doc = "@param samples sound pressure at 1 m from the body, Pa; 0.02 is a conversation, 1 is 94 dB."]
-    #[doc = "@param count   length of samples; 0 (samples may be NULL then): what the body plays ends."]
-    #[doc = "@param rate    samples a second: sample_rate of the field \"hearing/ear_left\", 16000 in built-in scenes."]
-    #[doc = "Errors: MIMO_E_UNSUPPORTED where no agent hears; MIMO_E_NOT_FOUND for a body that the model does not have;"]
-    #[doc = "        MIMO_E_INVALID_ARGUMENT for samples that are not finite, more than there is room for, another rate, and where"]
-    #[doc = "        as many bodies play as may. Nothing of the samples is played then."]
+    #[doc = "@param samples sound pressure at 1 m from the body, Pa; 0.02 is conversation, 1 is 94 dB."]
+    #[doc = "@param count   length of samples; 0 (samples may be NULL) stops the body's sound."]
+    #[doc = "@param rate    samples per second: sample_rate of the field \"hearing/ear_left\", 16000 in built-in scenes."]
+    #[doc = "Errors: MIMO_E_UNSUPPORTED if no agent hears; MIMO_E_NOT_FOUND for an unknown body; MIMO_E_INVALID_ARGUMENT for"]
+    #[doc = "        samples that are not finite or exceed the room, another rate, and one body more than may play at once. None"]
+    #[doc = "        of the samples is played then."]
     pub fn mimo_env_play(
         env: *mut mimo_env,
         body: *const std::os::raw::c_char,
@@ -3048,7 +3059,7 @@ extern "C" {
     ) -> mimo_status;
 }
 extern "C" {
-    #[doc = "As mimo_env_play, around attached senses: from their next mimo_senses_advance on."]
+    #[doc = "As mimo_env_play, for attached senses: from their next mimo_senses_advance on."]
     pub fn mimo_senses_play(
         senses: *mut mimo_senses,
         body: *const std::os::raw::c_char,
