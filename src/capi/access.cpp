@@ -117,7 +117,7 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
     const env::Quantity what = writable_from(quantity);
     const env::Ids which = ids_of(world, what, ids, id_count);
     const auto from = array(values, value_count, "values");
-    check_exact(value_count, env::width(world, what, which), "value_count");
+    check_given(value_count, env::width(world, what, which), "value_count");
     env::set(world, what, which, from);
   });
 }

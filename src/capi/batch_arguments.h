@@ -23,12 +23,17 @@ const float* actions_of(const batch::Batch& batch, const float* actions, std::si
 // Ids for all worlds, of a quantity of which each has as many.
 env::Ids ids_of(const batch::Batch& batch, env::Quantity quantity, const std::int32_t* ids, std::size_t count);
 
-// The values of all worlds.
+// The values of all worlds: const if the caller gives them.
 template <typename T>
-void check_values(const batch::Batch& batch, env::Quantity quantity, const env::Ids& ids, const T* values,
+void check_values(const batch::Batch& batch, env::Quantity quantity, const env::Ids& ids, T* values,
                   std::size_t count) {
   require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
-  check_exact(count, batch.size() * env::width(batch.world(0), quantity, ids), "value_count");
+  const std::size_t expected = batch.size() * env::width(batch.world(0), quantity, ids);
+  if constexpr (std::is_const_v<T>) {
+    check_given(count, expected, "value_count");
+  } else {
+    check_exact(count, expected, "value_count");
+  }
 }
 
 }  // namespace mimo::capi

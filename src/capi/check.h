@@ -44,7 +44,12 @@ Span<T> array(T* data, std::size_t count, const char* argument) {
   return {data, count};
 }
 
-// A number of elements that must be met. `of` says which they are.
+// The number of elements of an array that the caller gives.
+inline void check_given(std::size_t count, std::size_t expected, const char* argument) {
+  require(count == expected, "{} is {}, expected {}", argument, count, expected);
+}
+
+// The number of elements of an array that the library fills exactly. `of` says which they are.
 inline void check_exact(std::size_t count, std::size_t expected, const char* argument, const std::string& of = "") {
   if (count < expected) {
     fail(Status::kBufferTooSmall, "{} is {}, but {} are needed{}", argument, count, expected, of);
@@ -54,6 +59,9 @@ inline void check_exact(std::size_t count, std::size_t expected, const char* arg
 
 // A config's string; NULL counts as "".
 inline std::string text(const char* string) { return string == nullptr ? std::string() : std::string(string); }
+
+// A config's string, or its default for NULL.
+inline std::string text_or(const char* string, const char* standard) { return string == nullptr ? standard : string; }
 
 // What a caller of a newer interface asks for and this library does not know: a constant, a bit, a quantity.
 template <typename T>

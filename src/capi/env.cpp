@@ -59,7 +59,7 @@ env::EnvOptions env_options(const mimo_env_config& config) {
           config.frame_skip, env::kMostFrameSkip);
   options.frame_skip = static_cast<int>(config.frame_skip);
   options.physics = physics(config);
-  options.renderer = env::renderer_from(text(config.renderer));
+  options.renderer = env::renderer_from(text_or(config.renderer, "auto"));
   options.max_steps = config.max_steps;
   options.task = text(config.task);
   options.quality = quality(config);

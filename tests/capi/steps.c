@@ -38,7 +38,7 @@ static void check_making(void) {
   NO_ENV(MIMO_E_INVALID_ARGUMENT, "frame_skip is 1001, expected 1 to 1000, or 0", frame_skip, 1001, 0);
   NO_ENV(MIMO_E_UNSUPPORTED, "jacobian is 3", jacobian, 3, 0);
   NO_ENV(MIMO_E_UNSUPPORTED, "disable is 0x8", disable, 8, 0);
-  NO_ENV(MIMO_E_INVALID_ARGUMENT, "renderer is \"paper\"", renderer, "paper", "auto");
+  NO_ENV(MIMO_E_INVALID_ARGUMENT, "renderer is \"paper\"", renderer, "paper", NULL); /* NULL: the default */
   NO_ENV(MIMO_E_UNSUPPORTED, "timing is 2", timing, 2, 0);
   config.task = "fly";
   CHECK_FAILS(MIMO_E_NOT_FOUND, "no task named \"fly\"; there are: none, reach",

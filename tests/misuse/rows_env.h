@@ -43,11 +43,13 @@ ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(num
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")
-#define VALUES(m)                                                                                               \
-  SIZE_IS(m, 0, MIMO_E_BUFFER_TOO_SMALL, "value_count"), BAD_SIZE(m, -1, "value"),                              \
-      {FAULT_LESS, #m " is one too small", MEMBER(m), 0, 1, 0, NULL, MIMO_E_BUFFER_TOO_SMALL, "value_count"}, { \
-    FAULT_LESS, #m " is one too large", MEMBER(m), 0, -1, 0, NULL, E_ARG, "value_count"                         \
+#define VALUE_COUNTS(m, too_small)                                                                \
+  SIZE_IS(m, 0, too_small, "value_count"), BAD_SIZE(m, -1, "value"),                              \
+      {FAULT_LESS, #m " is one too small", MEMBER(m), 0, 1, 0, NULL, too_small, "value_count"}, { \
+    FAULT_LESS, #m " is one too large", MEMBER(m), 0, -1, 0, NULL, E_ARG, "value_count"           \
   }
+#define VALUES(m) VALUE_COUNTS(m, MIMO_E_BUFFER_TOO_SMALL)
+#define GIVEN_VALUES(m) VALUE_COUNTS(m, E_ARG)
 ROW(mimo_env_count, ON_ENV, mimo_env_count(a->env, a->kind, a->count), KINDS, NO_NULL(count, "count"))
 ROW(mimo_env_find, ON_ENV, mimo_env_find(a->env, a->kind, a->name, a->id_out), KINDS, NO_NULL(name, "name"),
     NO_NULL(id_out, "id"), DO(unknown_name, MIMO_E_NOT_FOUND, "nobody"), DO(empty_name, MIMO_E_NOT_FOUND, "\"\""))
@@ -63,7 +65,7 @@ ROW(mimo_env_get_float, ON_ENV, mimo_env_get_float(a->env, a->quantity, a->ids, 
     QUANTITIES, IDS, NO_NULL(depth, "values"), VALUES(value_count))
 ROW(mimo_env_set, ON_ENV | SIMULATES,
     mimo_env_set(a->env, a->quantity, a->ids, a->id_count, a->to_write, a->value_count), QUANTITIES, IDS,
-    NO_NULL(to_write, "values"), VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
+    NO_NULL(to_write, "values"), GIVEN_VALUES(value_count), DO(nan_value, E_ARG, "values[0]"),
     DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
 ROW(mimo_env_update, ON_ENV | SIMULATES, mimo_env_update(a->env), NONE)
 
