@@ -9,8 +9,7 @@
 
 namespace mimo::capi {
 
-// The size that a struct had in its first version; smaller ones never existed. ./dev freeze writes it into
-// first_sizes.h, so that the struct may grow.
+// The size that a struct had in its first version; smaller ones never existed.
 template <typename T>
 struct FirstSize {
   static constexpr std::size_t kBytes = sizeof(T);

@@ -25,26 +25,6 @@ const char* mimo_version(void) noexcept {
 
 const char* mimo_mujoco_version(void) noexcept { return mimo::engine::mujoco_version(); }
 
-const char* mimo_status_name(mimo_status status) noexcept {
-  switch (status) {
-    case MIMO_OK: return "MIMO_OK";
-    case MIMO_E_INVALID_ARGUMENT: return "MIMO_E_INVALID_ARGUMENT";
-    case MIMO_E_BAD_HANDLE: return "MIMO_E_BAD_HANDLE";
-    case MIMO_E_BUFFER_TOO_SMALL: return "MIMO_E_BUFFER_TOO_SMALL";
-    case MIMO_E_STRUCT_SIZE: return "MIMO_E_STRUCT_SIZE";
-    case MIMO_E_NOT_FOUND: return "MIMO_E_NOT_FOUND";
-    case MIMO_E_MODEL: return "MIMO_E_MODEL";
-    case MIMO_E_SIMULATION: return "MIMO_E_SIMULATION";
-    case MIMO_E_RENDER: return "MIMO_E_RENDER";
-    case MIMO_E_UNSUPPORTED: return "MIMO_E_UNSUPPORTED";
-    case MIMO_E_OUT_OF_MEMORY: return "MIMO_E_OUT_OF_MEMORY";
-    case MIMO_E_FORKED: return "MIMO_E_FORKED";
-    case MIMO_E_INTERNAL: return "MIMO_E_INTERNAL";
-    case MIMO_E_FILE: return "MIMO_E_FILE";
-    case MIMO_E_TASK: return "MIMO_E_TASK";
-    case MIMO_E_BUSY: return "MIMO_E_BUSY";
-    default: return "MIMO_E_UNKNOWN";
-  }
-}
+const char* mimo_status_name(mimo_status status) noexcept { return mimo::capi::name_of(status); }
 
 }  // extern "C"

@@ -8,18 +8,18 @@ set(grown_headers ${headers})
 list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
 list(TRANSFORM grown_headers PREPEND ${grown}/)
 add_custom_command(
-  OUTPUT ${grown_headers} ${grown}/exports.map ${grown}/grown.cpp
-  COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUT=${grown} -P ${CMAKE_CURRENT_SOURCE_DIR}/GrownStep.cmake
-  DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/src/capi/exports.map ${CMAKE_CURRENT_SOURCE_DIR}/GrownStep.cmake
+  OUTPUT ${grown_headers} ${grown}/exports.map ${grown}/names.cpp ${grown}/grown.cpp
+  COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_SOURCE_DIR}/make_grown ${grown}
+  DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/interface/interface.json ${PROJECT_SOURCE_DIR}/interface/targets/library.py
+          ${CMAKE_CURRENT_SOURCE_DIR}/make_grown
   COMMENT "Growing the interface" VERBATIM)
 add_custom_target(grown_headers DEPENDS ${grown_headers})
 
-include(ApiNames)
-mimo_list_api_names(grown_names ${grown}/include ${grown})
 file(GLOB border CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/capi/*.cpp)
+list(FILTER border EXCLUDE REGEX "/names.cpp$")
 get_property(below GLOBAL PROPERTY mimo_below_capi)
 list(REMOVE_ITEM below mimo_capi)
-add_library(mimo_grown SHARED ${border} ${grown_names} ${grown}/grown.cpp)
+add_library(mimo_grown SHARED ${border} ${grown}/names.cpp ${grown}/grown.cpp)
 add_dependencies(mimo_grown grown_headers)
 set_target_properties(mimo_grown PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)  # as in src/capi
 target_compile_definitions(mimo_grown PRIVATE MIMO_BUILDING)

@@ -1,4 +1,4 @@
-/* A program of the next minor version (GrownStep.cmake): on the library of that version, and on today's, where what it
+/* A program of the next minor version (make_grown): on the library of that version, and on today's, where what it
  * knows more is refused as unsupported, and what it does not use of that does no harm.
  *   grown_caller today|grown */
 #include <dlfcn.h>
