@@ -26,13 +26,16 @@ def targets():
 
 
 def made(names):
-    """All files of the targets, and interface.json: path from the repository's root, and text."""
+    """The text of interface.json and of all files of the targets, by their paths, and what targets complain of."""
     text = describe.text()
-    files = {"interface/interface.json": text}
+    files, complaints = {"interface/interface.json": text}, []
     interface = api.from_data(json.loads(text))
     for name in names:
-        files |= importlib.import_module(f"targets.{name}").files(interface)
-    return files
+        try:
+            files |= importlib.import_module(f"targets.{name}").files(interface)
+        except describe.Undescribable as error:
+            complaints.append(f"{name}: {error}")
+    return files, complaints
 
 
 def main():
@@ -44,20 +47,19 @@ def main():
         if name not in targets():
             parser.error(f"there is no target {name}, only {', '.join(targets())}")
     try:
-        files = made(arguments.targets or targets())
+        files, complaints = made(arguments.targets or targets())
     except describe.Undescribable as error:
         sys.exit(f"interface: {error}")
-    wrong = []
     for name, text in files.items():
         path = ROOT / name
         if path.exists() and path.read_text(encoding="utf-8") == text:
             continue
-        wrong.append(name)
-        if not arguments.check:
+        if arguments.check:
+            complaints.append(f"{name} is not what interface/generate.py makes; run ./dev interface")
+        else:
             path.write_text(text, encoding="utf-8")
             print(f"renewed {name}")
-    if arguments.check and wrong:
-        sys.exit(f"not what interface/generate.py makes: {', '.join(wrong)}; run ./dev interface")
+    sys.exit("\n".join(complaints) or None)
 
 
 main()

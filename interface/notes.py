@@ -17,9 +17,13 @@ class Undescribable(Exception):
     """A declaration that bindings cannot use, or a note that fits nothing."""
 
 
+def read():
+    return tomllib.loads(NOTES.read_text(encoding="utf-8"))
+
+
 def add(data, now):
     """Adds the enumerations, and to everything else what is noted of it; `now` is the version of the interface."""
-    notes = tomllib.loads(NOTES.read_text(encoding="utf-8"))
+    notes = read()
     data["enums"] = group(data, notes)
     annotate(data, notes, History(now))
 

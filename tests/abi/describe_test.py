@@ -9,7 +9,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "interface"))
 
+import api  # noqa: E402
 import describe  # noqa: E402
+from targets import bindings_page  # noqa: E402
 
 FUNCTION = "MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;"
 STRUCT = (
@@ -179,6 +181,16 @@ class Describe(unittest.TestCase):
             [(one["name"], one["type"], one["doc"]) for one in function["parameters"]],
             [("env", "const mimo_env *", ""), ("pair", "mimo_pair *", "receives it: both.")],
         )
+
+    def test_names_what_a_binding_lacks(self):
+        interface = api.load()
+        new = api.Function("mimo_env_pair", "mimo_status", [], "Pairs.", "env.h", "stable", "1.1")
+        interface.functions.append(new)
+        with self.assertRaises(describe.Undescribable) as raised:
+            bindings_page.table(interface)
+        languages = ["C++", "Python", "Rust", "C#", "MATLAB"]
+        lacking = [f"{language} lacks mimo_env_pair, and notes.toml has no reason for that" for language in languages]
+        self.assertEqual(str(raised.exception).splitlines(), lacking)
 
 
 if __name__ == "__main__":
