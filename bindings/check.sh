@@ -115,6 +115,9 @@ test_loading_in_csharp() {
     "${CC:-cc}" -shared -fPIC -x c - -o "$folder/libmimo.so"
   csharp_refuses '' 'libmimo was not found'
   csharp_refuses "$folder" 'libmimo 9.8.7 has ABI version 99, expected 1'
+  printf 'unsigned mimo_abi_version(void) { return 1; }\nconst char *mimo_version(void) { return "1.0.0"; }\n' |
+    "${CC:-cc}" -shared -fPIC -x c - -o "$folder/libmimo.so"
+  csharp_refuses "$folder" 'libmimo 1.0.0 has no mimo_[a-z_]*, which'
   printf 'int other;\n' | "${CC:-cc}" -shared -fPIC -x c - -o "$folder/libmimo.so"
   csharp_refuses "$folder" 'has no mimo_abi_version'
 }
@@ -131,12 +134,11 @@ test_csharp() {
   build_csharp
   echo "Tests of the C# classes"
   local -x LD_LIBRARY_PATH=$PWD/build/lib
-  tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
-  mono build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
+  mono build/csharp/Tests.exe --all
   csharp_ends mono
   if [[ $(uname -sm) == "Linux x86_64" ]]; then
     fetch_dotnet linux
-    build/dotnet/linux/dotnet exec --runtimeconfig tests/package/dotnet.json build/csharp/Tests.exe tests/abi/layout.json build/csharp/mimo.h
+    build/dotnet/linux/dotnet exec --runtimeconfig tests/package/dotnet.json build/csharp/Tests.exe --all
     csharp_ends build/dotnet/linux/dotnet exec --runtimeconfig tests/package/dotnet.json
   fi
   test_loading_in_csharp

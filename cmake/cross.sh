@@ -266,11 +266,10 @@ test_csharp_on_windows() {
   csharp_tests WindowsTests.exe -define:WINDOWS
   fetch_dotnet windows
   echo "Tests of the C# classes on Windows"
-  tests/abi/whole_header include/mimo/mimo.h >build/csharp/mimo.h
   WINEPATH=$(on_windows "$PWD/build-windows/bin") \
     MIMO_HDF5=$(on_windows "$PWD/build/release/python-windows/packages/h5py/hdf5.dll") \
     windows_program build/dotnet/windows/dotnet.exe exec --runtimeconfig tests/package/dotnet.json \
-    build/csharp/WindowsTests.exe tests/abi/layout.json build/csharp/mimo.h
+    build/csharp/WindowsTests.exe --all
 }
 
 # python_on_windows PACKAGES ARGUMENTS...: Windows' Python, with a folder of packages.

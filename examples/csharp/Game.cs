@@ -16,7 +16,7 @@ internal static class Game
         using (var scene = MimoScene.Builtin("benchmark"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision_width = agent.vision_height = 64;
+            agent.VisionWidth = agent.VisionHeight = 64;
             scene.AddAgent(agent);
             return new Env(scene);
         }

@@ -62,8 +62,8 @@ internal static class OwnGoal
         using (var scene = MimoScene.Builtin("benchmark"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.touch = 0;
+            agent.Vision = 0;
+            agent.Touch = 0;
             scene.AddAgent(agent);
             int hand;
             using (var env = new Env(scene)) hand = env.Find(Kind.Body, "left_hand");

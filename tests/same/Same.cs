@@ -52,7 +52,7 @@ internal static class Same
         using (var scene = MimoScene.Builtin("benchmark"))
         {
             var infant = scene.DefaultAgent();
-            infant.vision = 0;
+            infant.Vision = 0;
             scene.AddAgent(infant);
             scene.SetTask(new Height());
             return new Env(scene);

@@ -3,18 +3,6 @@ using System.Linq;
 
 namespace Mimo
 {
-    /// <summary>What a batch does when an episode ends; values are those of mimo.h.</summary>
-    public enum Autoreset
-    {
-        /// <summary>Worlds go on, until they are reset.</summary>
-        None = 0,
-        /// <summary>The step after the end of an episode starts a new one, instead of acting.</summary>
-        NextStep = 1,
-        /// <summary>The step that ends an episode also starts the next: reward and flags are of the old, the block is of the
-        /// new one.</summary>
-        SameStep = 2
-    }
-
     /// <summary>Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
     /// reset with the i-th seed and given the i-th actions. Its arrays are made once: a step allocates nothing. Masks have an
     /// entry for each world; null means all.</summary>
@@ -51,20 +39,19 @@ namespace Mimo
 
         /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores. With a cohort
         /// the infants of world i are of cohort[i % cohort.Length]; null: as the scene says.</summary>
-        public Batch(MimoScene scene, int worlds, EnvOptions options = null, Autoreset autoreset = Autoreset.None, int threads = 0,
-            bool restartFailed = false, Growth?[] cohort = null)
+        public Batch(MimoScene scene, int worlds, EnvConfig config = null, Autoreset autoreset = Autoreset.None, int threads = 0,
+            bool restartFailed = false, Growth[] cohort = null)
         {
-            BatchConfigStruct config;
-            MimoException.Check(Native.mimo_batch_config_init(out config, Structs.Size<BatchConfigStruct>()));
-            config.worlds = Given.Count(worlds, "worlds");
-            config.threads = Given.Count(threads, "threads");
-            config.autoreset = (int)autoreset;
-            config.restart_failed = restartFailed ? 1u : 0u;
+            var raw = BatchConfigStruct.New();
+            raw.worlds = Given.Count(worlds, "worlds");
+            raw.threads = Given.Count(threads, "threads");
+            raw.autoreset = (int)autoreset;
+            raw.restart_failed = restartFailed ? 1u : 0u;
             using (var ages = new PinnedGrowths(cohort))
             {
-                config.cohort = ages.Pointer;
-                config.cohort_count = ages.Length;
-                owned = Create(scene, options ?? new EnvOptions(), config);
+                raw.cohort = ages.Pointer;
+                raw.cohort_count = ages.Length;
+                owned = Create(scene, config ?? new EnvConfig(), raw);
             }
             Ending.Watch(owned);
             UIntPtr worldCount, threadCount;
@@ -88,7 +75,7 @@ namespace Mimo
             var common = results.PlaceIn(kept);
             return new BatchResultsStruct
             {
-                struct_size = (uint)Structs.Size<BatchResultsStruct>(), reward = common.reward, terminated = common.terminated,
+                struct_size = BatchResultsStruct.Bytes, reward = common.reward, terminated = common.terminated,
                 truncated = common.truncated, outcome = common.outcome, agent_count = common.agent_count, terms = common.terms,
                 term_count = common.term_count, was_reset = kept.Keep(wasReset), final_written = kept.Keep(finalWritten),
                 worlds = (UIntPtr)Worlds, final_blocks = kept.Keep(FinalBlocks),
@@ -96,12 +83,12 @@ namespace Mimo
             };
         }
 
-        private static BatchHandle Create(MimoScene scene, EnvOptions options, BatchConfigStruct config)
+        private static BatchHandle Create(MimoScene scene, EnvConfig config, BatchConfigStruct raw)
         {
-            return options.Use((env, log) =>
+            return config.Use((env, log) =>
             {
                 BatchHandle made;
-                var status = Native.mimo_batch_create(Given.Some(scene, "scene", "a MimoScene").Handle, ref env, ref config, out made);
+                var status = Native.mimo_batch_create(Given.Some(scene, "scene", "a MimoScene").Handle, ref env, ref raw, out made);
                 made.Log = log;
                 Logging.CheckTold(status, log);
                 made.Task = scene.Handle.Task?.Share();
@@ -131,7 +118,7 @@ namespace Mimo
 
         /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers. With ages, one
         /// for each world, infants become as old as that; null among them stays as it is.</summary>
-        public void Reset(ulong[] seeds = null, bool[] mask = null, Growth?[] ages = null)
+        public void Reset(ulong[] seeds = null, bool[] mask = null, Growth[] ages = null)
         {
             if (seeds != null && seeds.Length != Worlds)
                 throw Given.Misfit(seeds, nameof(seeds), "expected one for each of " + Worlds + " worlds");
@@ -142,7 +129,7 @@ namespace Mimo
             {
                 var config = new BatchResetConfigStruct
                 {
-                    struct_size = (uint)Structs.Size<BatchResetConfigStruct>(), seeds = given.Pointer, mask = chosen.Pointer,
+                    struct_size = BatchResetConfigStruct.Bytes, seeds = given.Pointer, mask = chosen.Pointer,
                     worlds = mask != null ? chosen.Length : seeds != null ? given.Length : growths.Length,
                     growth = growths.Pointer
                 };

@@ -22,7 +22,7 @@ namespace Mimo
         public Env(string scene) : this(Make(scene)) { }
 
         /// <summary>Compiles a scene and makes a world of it.</summary>
-        public Env(MimoScene scene, EnvOptions options = null) : this(Create(scene, options ?? new EnvOptions())) { }
+        public Env(MimoScene scene, EnvConfig config = null) : this(Create(scene, config ?? new EnvConfig())) { }
 
         internal Env(EnvHandle made) : this(made, LayoutOf(made)) { }
 
@@ -48,12 +48,12 @@ namespace Mimo
             return made;
         }
 
-        private static EnvHandle Create(MimoScene scene, EnvOptions options)
+        private static EnvHandle Create(MimoScene scene, EnvConfig config)
         {
-            return options.Use((config, log) =>
+            return config.Use((raw, log) =>
             {
                 EnvHandle made;
-                var status = Native.mimo_env_create(Given.Some(scene, "scene", "a MimoScene").Handle, ref config, out made);
+                var status = Native.mimo_env_create(Given.Some(scene, "scene", "a MimoScene").Handle, ref raw, out made);
                 made.Log = log;
                 Logging.CheckTold(status, log);
                 made.Task = scene.Handle.Task?.Share();
@@ -89,7 +89,7 @@ namespace Mimo
 
         /// <summary>Starts an episode. Without a seed the world goes on with its own random numbers. With a growth all its infants
         /// become as old as that.</summary>
-        public void Reset(ulong? seed = null, Growth? growth = null)
+        public void Reset(ulong? seed = null, Growth growth = null)
         {
             var config = ResetConfigStruct.Of(seed);
             using (var growths = new PinnedGrowths(growth == null ? null : new[] { growth }))

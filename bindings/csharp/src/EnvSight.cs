@@ -2,34 +2,6 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>What turns to look at a point; values are those of mimo.h.</summary>
-    public enum Look
-    {
-        /// <summary>The eyes alone; they reach 45 degrees to the sides, 33 up and 47 down.</summary>
-        Eyes = 0,
-        /// <summary>The head first, so that the eyes have to turn little.</summary>
-        Head = 1
-    }
-
-    /// <summary>Where both eyes look; metres and directions in the world frame.</summary>
-    public struct Gaze
-    {
-        /// <summary>Of the left eye's camera.</summary>
-        public Vector3d LeftPosition;
-        /// <summary>Its line of sight, unit vector.</summary>
-        public Vector3d LeftDirection;
-        /// <summary>Of the right eye's camera.</summary>
-        public Vector3d RightPosition;
-        /// <summary>Its line of sight.</summary>
-        public Vector3d RightDirection;
-        /// <summary>Angle between the lines of sight, rad; negative where they lead apart.</summary>
-        public double Vergence;
-        /// <summary>Where they come closest to each other; null where they lead apart.</summary>
-        public Vector3d? Point;
-        /// <summary>How far they pass each other there, m.</summary>
-        public double Miss;
-    }
-
     /// <summary>Joints that make an infant look at a point.</summary>
     public struct LookAngles
     {
@@ -48,14 +20,9 @@ namespace Mimo
         /// <summary>Where an infant looks, by the poses of its eyes' cameras as they are.</summary>
         public Gaze Gaze(int agent = 0)
         {
-            var raw = new GazeStruct { struct_size = (uint)Structs.Size<GazeStruct>() };
+            var raw = GazeStruct.New();
             MimoException.Check(Native.mimo_env_gaze(Handle, Given.Index(agent, "agent"), ref raw));
-            return new Gaze
-            {
-                LeftPosition = raw.left_position, LeftDirection = raw.left_direction,
-                RightPosition = raw.right_position, RightDirection = raw.right_direction,
-                Vergence = raw.vergence, Point = raw.meets != 0 ? raw.point : (Vector3d?)null, Miss = raw.miss
-            };
+            return new Gaze(raw);
         }
 
         /// <summary>Angles of the joints that make an infant look at a point (world, m); nothing moves.</summary>
@@ -80,31 +47,31 @@ namespace Mimo
         }
 
         /// <summary>Draws the current state. What is null is not drawn.</summary>
-        /// <param name="options">What to draw.</param>
+        /// <param name="config">What to draw.</param>
         /// <param name="rgba">Height x width x 4 bytes, opaque.</param>
         /// <param name="depth">Height x width, metres along the camera's axis.</param>
         /// <param name="segmentation">Height x width ids of geoms, -1 is background.</param>
-        public void Draw(PictureOptions options, byte[] rgba, float[] depth = null, int[] segmentation = null)
+        public void Draw(PictureConfig config, byte[] rgba, float[] depth = null, int[] segmentation = null)
         {
             using (Pinned color = new Pinned(rgba), distance = new Pinned(depth), geoms = new Pinned(segmentation))
             {
                 var picture = new PictureStruct
                 {
-                    struct_size = (uint)Structs.Size<PictureStruct>(), rgb = color.Pointer, rgb_bytes = color.Length,
+                    struct_size = PictureStruct.Bytes, rgb = color.Pointer, rgb_bytes = color.Length,
                     depth = distance.Pointer, depth_count = distance.Length, segmentation = geoms.Pointer,
                     segmentation_count = geoms.Length
                 };
-                Given.Some(options, "options", "PictureOptions").Use(config => Native.mimo_env_render(Handle, ref config, ref picture));
+                Given.Some(config, "config", "a PictureConfig").Use(raw => Native.mimo_env_render(Handle, ref raw, ref picture));
             }
         }
 
         /// <summary>Where points of the world (m) lie in the picture that Draw draws of this state: pixels to the right of its
         /// left edge, pixels below its upper edge, and depth along the camera's axis, m. What has no depth above 0 is behind
         /// the camera, and its pixels mean nothing.</summary>
-        public Vector3d[] Project(PictureOptions options, params Vector3d[] points)
+        public Vector3d[] Project(PictureConfig config, params Vector3d[] points)
         {
             var pixels = new Vector3d[Given.Some(points, "points", "an array").Length];
-            Given.Some(options, "options", "PictureOptions").Use(config => Native.mimo_env_project(Handle, ref config, points, Given.LengthOf(points, "points"), pixels));
+            Given.Some(config, "config", "a PictureConfig").Use(raw => Native.mimo_env_project(Handle, ref raw, points, Given.LengthOf(points, "points"), pixels));
             return pixels;
         }
     }

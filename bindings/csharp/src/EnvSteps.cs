@@ -3,42 +3,6 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Where the time of steps went, seconds.</summary>
-    public struct Timing
-    {
-        /// <summary>Steps counted.</summary>
-        public long Steps;
-        /// <summary>Everything.</summary>
-        public double Total;
-        /// <summary>MuJoCo's steps.</summary>
-        public double Physics;
-        /// <summary>Sense of touch.</summary>
-        public double Touch;
-        /// <summary>Drawing the eyes' pictures.</summary>
-        public double Vision;
-        /// <summary>Joint senses.</summary>
-        public double Proprioception;
-        /// <summary>Accelerometer and gyroscope.</summary>
-        public double Vestibular;
-        /// <summary>What sounds, and what reaches ears.</summary>
-        public double Hearing;
-    }
-
-    /// <summary>What is to be known of one agent of a world.</summary>
-    public sealed class AgentInfo
-    {
-        /// <summary>"" for a sole one; else the prefix of its fields and model names.</summary>
-        public string Name { get; internal set; }
-        /// <summary>Where its actions start among Layout.Actions.</summary>
-        public int ActionOffset { get; internal set; }
-        /// <summary>How many they are.</summary>
-        public int ActionCount { get; internal set; }
-        /// <summary>Of its whole body, kg.</summary>
-        public double Mass { get; internal set; }
-        /// <summary>From its lowest to its highest point in the initial pose, m.</summary>
-        public double Height { get; internal set; }
-    }
-
     /// <summary>How a world goes on: its task, its agents, its time steps, and where the time goes.</summary>
     public sealed partial class Env
     {
@@ -56,13 +20,9 @@ namespace Mimo
         /// <summary>Describes an agent.</summary>
         public AgentInfo Agent(int agent = 0)
         {
-            var raw = new AgentInfoStruct { struct_size = (uint)Structs.Size<AgentInfoStruct>() };
+            var raw = AgentInfoStruct.New();
             MimoException.Check(Native.mimo_env_agent(Handle, Given.Index(agent, "agent"), ref raw));
-            return new AgentInfo
-            {
-                Name = Utf8.Of(raw.name), ActionOffset = (int)raw.action_offset, ActionCount = (int)raw.action_count,
-                Mass = raw.mass, Height = raw.height
-            };
+            return new AgentInfo(raw);
         }
 
         /// <summary>Physics steps in a step.</summary>
@@ -105,7 +65,7 @@ namespace Mimo
             {
                 var movement = new MovementStruct
                 {
-                    struct_size = (uint)Structs.Size<MovementStruct>(),
+                    struct_size = MovementStruct.Bytes,
                     positions = from.AddrOfPinnedObject(), position_count = (UIntPtr)positions.Length,
                     forces = to.AddrOfPinnedObject(), force_count = (UIntPtr)forces.Length
                 };
@@ -126,18 +86,14 @@ namespace Mimo
             MimoException.Check(Native.mimo_env_play(Handle, Utf8.Bytes(body), samples, Given.LengthOf(samples, "samples"), rate));
         }
 
-        /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvOptions.Timing.</summary>
+        /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvConfig.Timing.</summary>
         public Timing Timing
         {
             get
             {
-                var raw = new TimingStruct { struct_size = (uint)Structs.Size<TimingStruct>() };
+                var raw = TimingStruct.New();
                 MimoException.Check(Native.mimo_env_timing(Handle, ref raw));
-                return new Timing
-                {
-                    Steps = (long)raw.steps, Total = raw.total, Physics = raw.physics, Touch = raw.touch, Vision = raw.vision,
-                    Proprioception = raw.proprioception, Vestibular = raw.vestibular, Hearing = raw.hearing
-                };
+                return new Timing(raw);
             }
         }
 

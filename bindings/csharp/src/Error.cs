@@ -6,41 +6,6 @@ using System.Text.RegularExpressions;
 
 namespace Mimo
 {
-    /// <summary>Why a call failed; values are those of mimo.h. A newer library may have further ones.</summary>
-    public enum Status
-    {
-        /// <summary>An argument is null, out of range or not finite.</summary>
-        InvalidArgument = -1,
-        /// <summary>What is used was destroyed already.</summary>
-        BadHandle = -2,
-        /// <summary>An array is shorter than needed.</summary>
-        BufferTooSmall = -3,
-        /// <summary>The library is older than these sources, and lacks what was asked for.</summary>
-        StructSize = -4,
-        /// <summary>No body, joint, scene, file... of that name.</summary>
-        NotFound = -5,
-        /// <summary>A model does not compile, or asks for too much.</summary>
-        Model = -6,
-        /// <summary>The simulation failed or diverged; a reset makes the world usable again.</summary>
-        Simulation = -7,
-        /// <summary>The renderer failed.</summary>
-        Render = -8,
-        /// <summary>Not possible here, or not known to this version: the message says which.</summary>
-        Unsupported = -9,
-        /// <summary>An allocation failed.</summary>
-        OutOfMemory = -10,
-        /// <summary>It was made in the parent process, before fork.</summary>
-        Forked = -11,
-        /// <summary>A defect in libmimo; please report the message.</summary>
-        Internal = -12,
-        /// <summary>A file cannot be written, or is not what it should be.</summary>
-        File = -13,
-        /// <summary>A MimoTask threw, or said what cannot be meant.</summary>
-        Task = -14,
-        /// <summary>Not now, and nothing was changed: another thread is using it, or another call has to come first.</summary>
-        Busy = -15
-    }
-
     /// <summary>What the library complained about: one line that names the argument, its value and what was expected.</summary>
     public sealed class MimoException : Exception
     {
@@ -91,6 +56,8 @@ namespace Mimo
             Marshal.Copy(text, bytes, 0, length);
             return Encoding.UTF8.GetString(bytes);
         }
+
+        internal static string OrNull(IntPtr text) { return text == IntPtr.Zero ? null : Of(text); }
 
         /// <summary>Zero-terminated bytes; null stays null.</summary>
         internal static byte[] Bytes(string text)

@@ -4,33 +4,6 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Type of a field's elements; values are those of mimo.h.</summary>
-    public enum FieldType
-    {
-        /// <summary>byte</summary>
-        U8 = 1,
-        /// <summary>int</summary>
-        I32 = 2,
-        /// <summary>float</summary>
-        F32 = 3,
-        /// <summary>double</summary>
-        F64 = 4
-    }
-
-    /// <summary>What is to be known of a field's receptors, and how many numbers each has; values are those of
-    /// mimo.h.</summary>
-    public enum Receptor
-    {
-        /// <summary>1, id of the body that it sits on.</summary>
-        Body = 1,
-        /// <summary>1, id of the geom whose surface it lies on.</summary>
-        Geom = 2,
-        /// <summary>3, m, in the frame of its body.</summary>
-        Position = 3,
-        /// <summary>9, in the frame of its body: outward normal, first tangent, second tangent.</summary>
-        Frame = 4
-    }
-
     /// <summary>One field of an observation block. What a step gives of it belongs to the time from Start to End.</summary>
     public sealed class Field
     {
@@ -102,7 +75,7 @@ namespace Mimo
 
         private FieldStruct Raw()
         {
-            var raw = new FieldStruct { struct_size = (uint)Structs.Size<FieldStruct>() };
+            var raw = FieldStruct.New();
             MimoException.Check(Native.mimo_layout_field(layout, index, ref raw));
             return raw;
         }

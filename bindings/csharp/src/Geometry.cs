@@ -17,6 +17,28 @@ namespace Mimo
         public Vector3d(double x, double y, double z) { X = x; Y = y; Z = z; }
     }
 
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct Floats3
+    {
+        internal float x, y, z;
+        internal Vector3d Wide => new Vector3d(x, y, z);
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct Floats4
+    {
+        internal float r, g, b, a;
+        internal Rgba Wide => new Rgba(r, g, b, a);
+    }
+
+    internal partial struct ResetConfigStruct
+    {
+        internal static ResetConfigStruct Of(ulong? seed)
+        {
+            return new ResetConfigStruct { struct_size = Bytes, seeded = seed.HasValue ? 1u : 0u, seed = seed.GetValueOrDefault() };
+        }
+    }
+
     /// <summary>A rotation. In memory in the library's order: w x y z.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Quaterniond

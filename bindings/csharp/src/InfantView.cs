@@ -8,13 +8,13 @@ namespace Mimo
     public interface IDrawer
     {
         /// <summary>A texture that appearances will name by its id.</summary>
-        void AddTexture(int id, GeomTexture texture);
+        void AddTexture(int id, MimoTexture texture);
 
         /// <summary>A geom, with the name that it has in the model, and of its body; again after its shape has changed.</summary>
-        void SetMesh(int geom, string name, string body, GeomMesh mesh);
+        void SetMesh(int geom, string name, string body, MimoMesh mesh);
 
         /// <summary>How it looks; again after that has changed. Invisible ones are to be hidden.</summary>
-        void SetAppearance(int geom, GeomAppearance appearance);
+        void SetAppearance(int geom, Appearance appearance);
 
         /// <summary>Where it is.</summary>
         void SetPose(int geom, float x, float y, float z, float qx, float qy, float qz, float qw);
@@ -28,7 +28,7 @@ namespace Mimo
         private readonly Axes axes;
         private readonly int segments;
         private readonly float[] poses;
-        private readonly GeomAppearance[] shown;
+        private readonly Appearance[] shown;
         private readonly HashSet<int> textures = new HashSet<int>();
 
         /// <summary>For a world, a drawer, and the engine's frame: Axes.Unity, Unreal, Godot or Gltf.</summary>
@@ -41,7 +41,7 @@ namespace Mimo
             this.segments = segments;
             var count = env.Count(Kind.Geom);
             poses = new float[7 * count];
-            shown = new GeomAppearance[count];
+            shown = new Appearance[count];
         }
 
         /// <summary>Hands over all meshes, appearances and poses: at the start, and after geoms were given another size or infants
@@ -80,7 +80,7 @@ namespace Mimo
             }
         }
 
-        private void Show(int geom, GeomAppearance appearance)
+        private void Show(int geom, Appearance appearance)
         {
             if (appearance.Visible && appearance.Texture >= 0 && textures.Add(appearance.Texture))
                 drawer.AddTexture(appearance.Texture, env.Texture(appearance.Texture));

@@ -21,10 +21,10 @@ namespace Mimo
         public IReadOnlyList<Field> Fields { get; }
 
         /// <summary>The actions of all agents.</summary>
-        public IReadOnlyList<ActionInfo> Actions { get; }
+        public IReadOnlyList<MimoAction> Actions { get; }
 
         /// <summary>What rewards consist of, of all agents; in the order of Env.Terms.</summary>
-        public IReadOnlyList<TermInfo> Terms { get; }
+        public IReadOnlyList<Term> Terms { get; }
 
         internal delegate int LayoutCall(out IntPtr layout);
 
@@ -33,13 +33,27 @@ namespace Mimo
             IntPtr lent;
             MimoException.Check(ask(out lent));
             handle = new LayoutHandle(lent, owner);
-            var info = new LayoutInfoStruct { struct_size = (uint)Structs.Size<LayoutInfoStruct>() };
+            var info = LayoutInfoStruct.New();
             MimoException.Check(Native.mimo_layout_describe(handle, ref info));
             BlockBytes = (int)info.block_bytes;
             Agents = (int)info.agents;
             Fields = All(info.fields, index => new Field(handle, index));
-            Actions = All(info.actions, index => ActionInfo.Of(handle, index));
-            Terms = All(info.terms, index => TermInfo.Of(handle, index));
+            Actions = All(info.actions, index => ActionAt(index));
+            Terms = All(info.terms, index => TermAt(index));
+        }
+
+        private MimoAction ActionAt(UIntPtr index)
+        {
+            var raw = ActionStruct.New();
+            MimoException.Check(Native.mimo_layout_action(handle, index, ref raw));
+            return new MimoAction(raw);
+        }
+
+        private Term TermAt(UIntPtr index)
+        {
+            var raw = TermStruct.New();
+            MimoException.Check(Native.mimo_layout_term(handle, index, ref raw));
+            return new Term(raw);
         }
 
         internal void Renew()
@@ -70,44 +84,4 @@ namespace Mimo
         }
     }
 
-    /// <summary>One action: the control input of one motor.</summary>
-    public sealed class ActionInfo
-    {
-        /// <summary>Its actuator's, "act:left_elbow", or its muscle's.</summary>
-        public string Name { get; private set; }
-        /// <summary>"rad" for angles; "" for none.</summary>
-        public string Unit { get; private set; }
-        /// <summary>Whose it is.</summary>
-        public int Agent { get; private set; }
-        /// <summary>Smallest value; -infinity where there is none.</summary>
-        public double Low { get; private set; }
-        /// <summary>Largest value; infinity where there is none.</summary>
-        public double High { get; private set; }
-
-        internal static ActionInfo Of(LayoutHandle layout, UIntPtr index)
-        {
-            var raw = new ActionStruct { struct_size = (uint)Structs.Size<ActionStruct>() };
-            MimoException.Check(Native.mimo_layout_action(layout, index, ref raw));
-            return new ActionInfo
-            {
-                Name = Utf8.Of(raw.name), Unit = Utf8.Of(raw.unit), Agent = (int)raw.agent, Low = raw.low, High = raw.high
-            };
-        }
-    }
-
-    /// <summary>A part of an agent's reward, which is their sum.</summary>
-    public sealed class TermInfo
-    {
-        /// <summary>"distance".</summary>
-        public string Name { get; private set; }
-        /// <summary>Whose reward.</summary>
-        public int Agent { get; private set; }
-
-        internal static TermInfo Of(LayoutHandle layout, UIntPtr index)
-        {
-            var raw = new TermStruct { struct_size = (uint)Structs.Size<TermStruct>() };
-            MimoException.Check(Native.mimo_layout_term(layout, index, ref raw));
-            return new TermInfo { Name = Utf8.Of(raw.name), Agent = (int)raw.agent };
-        }
-    }
 }

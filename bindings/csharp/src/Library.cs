@@ -5,8 +5,6 @@ namespace Mimo
     /// <summary>The native library that the system found.</summary>
     public static class Library
     {
-        internal const uint Abi = 1; // MIMO_ABI_VERSION of the mimo.h that these sources are for
-
         private static bool isGood;
 
         /// <summary>Its version, "major.minor.patch".</summary>
@@ -45,9 +43,9 @@ namespace Mimo
         {
             if (isGood) return;
             var found = AbiFound();
-            if (found != Abi)
+            if (found != Constants.AbiVersion)
                 throw Unusable("libmimo " + Utf8.Of(Native.mimo_version()) + " has ABI version " + found +
-                    ", expected " + Abi + ": take these sources and the library from the same release");
+                    ", expected " + Constants.AbiVersion + ": take these sources and the library from the same release");
             isGood = true;
         }
 
@@ -62,10 +60,13 @@ namespace Mimo
                 throw Unusable("libmimo was not found, or not the MuJoCo that came with it: put both libraries beside the program, " +
                     "in Unity into Assets/Plugins/x86_64, or on Linux their folders into LD_LIBRARY_PATH");
             }
-            catch (EntryPointNotFoundException)
-            {
-                throw Unusable("the libmimo that was found is none: it has no mimo_abi_version");
-            }
+        }
+
+        /// <summary>The error of a call of a function that the loaded library does not have.</summary>
+        internal static MimoException Lacks(string function)
+        {
+            if (!isGood || function == "mimo_version") return Unusable("the library that was found under the name of libmimo has no " + function + ": it is another library");
+            return Unusable("libmimo " + Utf8.Of(Native.mimo_version()) + " has no " + function + ", which these sources know: take a newer library");
         }
 
         private static MimoException Unusable(string message) { return new MimoException(Status.Unsupported, "MIMO_E_UNSUPPORTED", message); }

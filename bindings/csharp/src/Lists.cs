@@ -34,7 +34,7 @@ namespace Mimo
     /// <summary>The tasks of the library.</summary>
     public static class Tasks
     {
-        /// <summary>Their names, for EnvOptions.Task: "none", "reach", ...</summary>
+        /// <summary>Their names, for EnvConfig.Task: "none", "reach", ...</summary>
         public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_task_name);
 
         /// <summary>The numbers by which they can be changed, with MimoScene.SetParameter.</summary>
@@ -46,35 +46,14 @@ namespace Mimo
                 UIntPtr count;
                 MimoException.Check(Native.mimo_parameter_count(out count));
                 var all = new Parameter[(int)count];
-                for (var i = 0; i < all.Length; ++i) all[i] = Parameter.Of(i);
+                for (var i = 0; i < all.Length; ++i)
+                {
+                    var raw = ParameterStruct.New();
+                    MimoException.Check(Native.mimo_parameter_describe((UIntPtr)i, ref raw));
+                    all[i] = new Parameter(raw);
+                }
                 return all;
             }
-        }
-    }
-
-    /// <summary>A number by which a task can be changed.</summary>
-    public sealed class Parameter
-    {
-        /// <summary>"reach/success_reward".</summary>
-        public string Name { get; private set; }
-        /// <summary>One line, with unit.</summary>
-        public string Description { get; private set; }
-        /// <summary>Value unless set.</summary>
-        public double Standard { get; private set; }
-        /// <summary>Smallest allowed value.</summary>
-        public double Low { get; private set; }
-        /// <summary>Largest allowed value.</summary>
-        public double High { get; private set; }
-
-        internal static Parameter Of(int index)
-        {
-            var raw = new ParameterStruct { struct_size = (uint)Structs.Size<ParameterStruct>() };
-            MimoException.Check(Native.mimo_parameter_describe((UIntPtr)index, ref raw));
-            return new Parameter
-            {
-                Name = Utf8.Of(raw.name), Description = Utf8.Of(raw.description),
-                Standard = raw.standard, Low = raw.low, High = raw.high
-            };
         }
     }
 

@@ -16,7 +16,7 @@ namespace Mimo
 
         internal static LoadReport Of(LoadCall load)
         {
-            var raw = new LoadReportStruct { struct_size = (uint)Structs.Size<LoadReportStruct>() };
+            var raw = LoadReportStruct.New();
             MimoException.Check(load(ref raw));
             return new LoadReport { Fresh = Names(raw.fresh_names), Ignored = Names(raw.ignored_names) };
         }

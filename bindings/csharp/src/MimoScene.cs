@@ -10,73 +10,62 @@ namespace Mimo
         private readonly SceneHandle owned;
         internal SceneHandle Handle => Ending.Pass(owned);
 
-        private MimoScene(SceneOptions options, string name = null, string file = null, string xml = null)
+        private MimoScene(SceneConfig config, string name = null, string file = null, string xml = null)
         {
             Library.Require();
-            owned = (options ?? new SceneOptions()).Make(name, file, xml);
+            owned = (config ?? new SceneConfig()).Make(name, file, xml);
         }
 
         /// <summary>An empty world.</summary>
-        public static MimoScene Empty(SceneOptions options = null) { return new MimoScene(options); }
+        public static MimoScene Empty(SceneConfig config = null) { return new MimoScene(config); }
 
         /// <summary>A built-in scene, one of Scenes.Names: "reach", "benchmark", ...</summary>
-        public static MimoScene Builtin(string name, SceneOptions options = null)
+        public static MimoScene Builtin(string name, SceneConfig config = null)
         {
-            return new MimoScene(options, name: Given.Text(name, "name", "that of a built-in scene, one of Scenes.Names"));
+            return new MimoScene(config, name: Given.Text(name, "name", "that of a built-in scene, one of Scenes.Names"));
         }
 
         /// <summary>An MJCF file.</summary>
-        public static MimoScene FromFile(string path, SceneOptions options = null)
+        public static MimoScene FromFile(string path, SceneConfig config = null)
         {
-            return new MimoScene(options, file: Given.Text(path, "path", "that of an MJCF file"));
+            return new MimoScene(config, file: Given.Text(path, "path", "that of an MJCF file"));
         }
 
         /// <summary>MJCF text.</summary>
-        public static MimoScene FromXml(string xml, SceneOptions options = null)
+        public static MimoScene FromXml(string xml, SceneConfig config = null)
         {
-            return new MimoScene(options, xml: Given.Text(xml, "xml", "MJCF text"));
+            return new MimoScene(config, xml: Given.Text(xml, "xml", "MJCF text"));
         }
 
-        /// <summary>What the scene gives its infant by itself.</summary>
+        /// <summary>The agent that the scene gives by default, with its body and place.</summary>
         public AgentConfig DefaultAgent()
         {
-            AgentConfig config;
-            MimoException.Check(Native.mimo_scene_default_agent(Handle, out config, Structs.Size<AgentConfig>()));
-            return config;
+            AgentConfigStruct raw;
+            MimoException.Check(Native.mimo_scene_default_agent(Handle, out raw, (UIntPtr)AgentConfigStruct.Bytes));
+            return new AgentConfig(raw);
         }
 
-        /// <summary>Adds an infant and gives its number. Its name is null for a sole agent; else the prefix of its fields
-        /// and model names, "anna/...". The face is one of Faces.Names; null: neutral. With a root the agent is no infant, but
-        /// that body of the scene's own MJCF with all below it, "world" for everything; its vestibular organ is at the site or
-        /// body vestibularAt.</summary>
-        public int AddAgent(AgentConfig config, string name = null, string face = null, string root = null,
-            string vestibularAt = null, Growth? growth = null)
+        /// <summary>Adds an agent and returns its number.</summary>
+        public int AddAgent(AgentConfig config)
         {
-            using (PinnedText n = new PinnedText(name), f = new PinnedText(face), body = new PinnedText("scene"),
-                r = new PinnedText(root), v = new PinnedText(vestibularAt))
-            using (PinnedGrowth age = new PinnedGrowth(growth))
+            using (var parts = new PinnedParts())
             {
-                if (name != null) config.name = n.Pointer;
-                if (face != null) config.face = f.Pointer;
-                if (root != null) config.body = body.Pointer;
-                config.root = r.Pointer;
-                config.vestibular_at = v.Pointer;
-                config.growth = age.Pointer;
+                var raw = Given.Some(config, "config", "an AgentConfig").Raw(parts);
                 UIntPtr agent;
-                MimoException.Check(Native.mimo_scene_add_agent(Handle, ref config, out agent));
+                MimoException.Check(Native.mimo_scene_add_agent(Handle, ref raw, out agent));
                 return (int)agent;
             }
         }
 
-        /// <summary>Adds all infants that the scene names, each at a place of its own; in a scene that names none a single
-        /// one. Gives how many they are. Without a growth they are 18 months old.</summary>
-        public int AddAgents(AgentConfig config, Growth? growth = null)
+        /// <summary>Adds all infants that the scene names, each at a place of its own, or a single one where the scene names
+        /// none. Returns how many were added. config.Name and the places in it do not count.</summary>
+        public int AddAgents(AgentConfig config)
         {
-            using (PinnedGrowth age = new PinnedGrowth(growth))
+            using (var parts = new PinnedParts())
             {
-                config.growth = age.Pointer;
+                var raw = Given.Some(config, "config", "an AgentConfig").Raw(parts);
                 UIntPtr count;
-                MimoException.Check(Native.mimo_scene_add_agents(Handle, ref config, out count));
+                MimoException.Check(Native.mimo_scene_add_agents(Handle, ref raw, out count));
                 return (int)count;
             }
         }
@@ -88,13 +77,12 @@ namespace Mimo
         /// before them.</summary>
         public void AddModel(string name, Vector3d position, string file = null, string xml = null, bool isFixed = false)
         {
-            using (PinnedText n = new PinnedText(name), f = new PinnedText(file), x = new PinnedText(xml))
+            using (var parts = new PinnedParts())
             {
-                ModelConfigStruct config;
-                MimoException.Check(Native.mimo_model_config_init(out config, Structs.Size<ModelConfigStruct>()));
-                config.name = n.Pointer;
-                config.file = f.Pointer;
-                config.xml = x.Pointer;
+                var config = ModelConfigStruct.New();
+                config.name = parts.Text(name);
+                config.file = parts.Text(file);
+                config.xml = parts.Text(xml);
                 config.position = position;
                 config.@fixed = isFixed ? 1u : 0u;
                 MimoException.Check(Native.mimo_scene_add_model(Handle, ref config));
@@ -152,46 +140,22 @@ namespace Mimo
         }
 
         /// <summary>Adds a rigid object.</summary>
-        public void AddObject(ObjectOptions options)
+        public void AddObject(ObjectConfig config)
         {
-            Given.Some(options, "options", "ObjectOptions");
-            using (var name = new PinnedText(options.Name))
+            using (var parts = new PinnedParts())
             {
-                ObjectConfigStruct config;
-                MimoException.Check(Native.mimo_object_config_init(out config, Structs.Size<ObjectConfigStruct>()));
-                config.name = name.Pointer;
-                config.shape = (int)options.Shape;
-                config.size = options.Size;
-                config.position = options.Position;
-                config.orientation = options.Orientation;
-                config.mass = options.Mass;
-                if (options.Color.HasValue) config.rgba = options.Color.Value;
-                config.@fixed = options.Fixed ? 1u : 0u;
-                MimoException.Check(Native.mimo_scene_add_object(Handle, ref config));
+                var raw = Given.Some(config, "config", "an ObjectConfig").Raw(parts);
+                MimoException.Check(Native.mimo_scene_add_object(Handle, ref raw));
             }
         }
 
         /// <summary>Has a camera observed; its fields come after those of all infants.</summary>
-        public void AddCamera(CameraOptions options)
+        public void AddCamera(CameraConfig config)
         {
-            Given.Some(options, "options", "CameraOptions");
-            using (PinnedText name = new PinnedText(options.Name), body = new PinnedText(options.Body))
+            using (var parts = new PinnedParts())
             {
-                CameraConfigStruct config;
-                MimoException.Check(Native.mimo_camera_config_init(out config, Structs.Size<CameraConfigStruct>()));
-                config.name = name.Pointer;
-                config.body = body.Pointer;
-                config.outputs = (uint)options.Outputs;
-                config.width = options.Width;
-                config.height = options.Height;
-                config.fovy = options.FieldOfView;
-                config.placed = options.LookAt.HasValue ? 1u : 0u;
-                if (options.LookAt.HasValue)
-                {
-                    config.position = options.Position;
-                    config.look_at = options.LookAt.Value;
-                }
-                MimoException.Check(Native.mimo_scene_add_camera(Handle, ref config));
+                var raw = Given.Some(config, "config", "a CameraConfig").Raw(parts);
+                MimoException.Check(Native.mimo_scene_add_camera(Handle, ref raw));
             }
         }
 
@@ -203,8 +167,7 @@ namespace Mimo
         {
             using (var parts = new PinnedParts())
             {
-                FieldConfigStruct config;
-                MimoException.Check(Native.mimo_field_config_init(out config, Structs.Size<FieldConfigStruct>()));
+                var config = FieldConfigStruct.New();
                 config.name = parts.Text(name);
                 config.quantity = (int)quantity;
                 config.elements = parts.Keep(elements?.Select(parts.Text).ToArray());
@@ -244,12 +207,13 @@ namespace Mimo
 
         /// <summary>Gives an agent such eyes and nerves, for worlds made from now on; null: as its growth says. Limits take
         /// the place of these delays.</summary>
-        public void SetMaturity(Maturity? maturity, int agent = 0)
+        public void SetMaturity(Maturity maturity, int agent = 0)
         {
-            var given = maturity.GetValueOrDefault();
-            MimoException.Check(maturity == null
-                ? Native.mimo_scene_set_maturity(Handle, Given.Index(agent, "agent"), IntPtr.Zero)
-                : Native.mimo_scene_set_maturity(Handle, Given.Index(agent, "agent"), ref given));
+            using (var parts = new PinnedParts())
+            {
+                var raw = maturity == null ? IntPtr.Zero : parts.Keep(new[] { maturity.Raw(parts) });
+                MimoException.Check(Native.mimo_scene_set_maturity(Handle, Given.Index(agent, "agent"), raw));
+            }
         }
 
         /// <summary>Sets how late an agent feels a part of its body ("left_hand"), by touch and by its joints, seconds; a body
@@ -261,8 +225,7 @@ namespace Mimo
 
         private static LimitsStruct Limits(double gain, double noise, double delay, double signalNoise)
         {
-            LimitsStruct limits;
-            MimoException.Check(Native.mimo_limits_init(out limits, Structs.Size<LimitsStruct>()));
+            var limits = LimitsStruct.New();
             limits.gain = gain;
             limits.noise = noise;
             limits.delay = delay;

@@ -27,18 +27,6 @@ namespace Mimo
         }
     }
 
-    /// <summary>A string that stays in place, for a struct; null is a null pointer.</summary>
-    internal sealed class PinnedText : Pinned
-    {
-        internal PinnedText(string text) : base(Utf8.Bytes(text)) { }
-    }
-
-    /// <summary>A growth that stays in place; null is a null pointer.</summary>
-    internal sealed class PinnedGrowth : Pinned
-    {
-        internal PinnedGrowth(Growth? growth) : base(growth == null ? null : new[] { growth.Value }) { }
-    }
-
     /// <summary>Growths that stay in place, and an array of pointers to them; null stays null.</summary>
     internal sealed class PinnedGrowths : IDisposable
     {
@@ -47,12 +35,12 @@ namespace Mimo
         internal IntPtr Pointer { get; }
         internal UIntPtr Length { get; }
 
-        internal PinnedGrowths(IList<Growth?> growths)
+        internal PinnedGrowths(IList<Growth> growths)
         {
             if (growths == null) return;
             var pointers = new IntPtr[growths.Count];
             for (var i = 0; i < pointers.Length; ++i)
-                pointers[i] = growths[i] == null ? IntPtr.Zero : parts.Keep(new[] { growths[i].Value });
+                pointers[i] = growths[i] == null ? IntPtr.Zero : parts.Keep(new[] { growths[i].Raw(parts) });
             Pointer = parts.Keep(pointers);
             Length = (UIntPtr)pointers.Length;
         }

@@ -3,48 +3,6 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>What a recording holds.</summary>
-    public sealed class RecordingInfo
-    {
-        /// <summary>Of the file.</summary>
-        public int FormatVersion { get; internal set; }
-        /// <summary>The loaded library is the one that recorded.</summary>
-        public bool SameBuild { get; internal set; }
-        /// <summary>That can be played.</summary>
-        public int Steps { get; internal set; }
-        /// <summary>That were kept.</summary>
-        public int States { get; internal set; }
-        /// <summary>Ages that infants had.</summary>
-        public int Bodies { get; internal set; }
-        /// <summary>Of one step.</summary>
-        public double StepSeconds { get; internal set; }
-        /// <summary>Versions and build that recorded.</summary>
-        public string Build { get; internal set; }
-        /// <summary>Of the loaded library.</summary>
-        public string ThisBuild { get; internal set; }
-        /// <summary>What the recording program left.</summary>
-        public string Configuration { get; internal set; }
-        /// <summary>As a decimal number.</summary>
-        public string Seed { get; internal set; }
-    }
-
-    /// <summary>What a replay has shown so far.</summary>
-    public sealed class ReplayReport
-    {
-        /// <summary>All that was compared was the same to the last bit.</summary>
-        public bool Identical { get; internal set; }
-        /// <summary>The step that comes next.</summary>
-        public int Next { get; internal set; }
-        /// <summary>How many were played.</summary>
-        public int Steps { get; internal set; }
-        /// <summary>The first step that differed.</summary>
-        public int FirstDifference { get; internal set; }
-        /// <summary>Of any number.</summary>
-        public double LargestDifference { get; internal set; }
-        /// <summary>The dataset in which that was, "" where all was identical.</summary>
-        public string DiffersMostIn { get; internal set; }
-    }
-
     /// <summary>A recording that is read, and played again in a world like the one that was recorded.</summary>
     public sealed class Recording : IDisposable
     {
@@ -55,6 +13,7 @@ namespace Mimo
         /// <summary>Opens a recording; hdf5 is the path of the HDF5 library, null: the system's.</summary>
         public Recording(string path, string hdf5 = null)
         {
+            Library.Require();
             MimoException.Check(Native.mimo_recording_open(Utf8.Bytes(path), Utf8.Bytes(hdf5), out owned));
             grows = Info.Bodies > 1;
         }
@@ -64,15 +23,9 @@ namespace Mimo
         {
             get
             {
-                var raw = new RecordingInfoStruct { struct_size = (uint)Structs.Size<RecordingInfoStruct>() };
+                var raw = RecordingInfoStruct.New();
                 MimoException.Check(Native.mimo_recording_describe(Handle, ref raw));
-                return new RecordingInfo
-                {
-                    FormatVersion = (int)raw.format_version, SameBuild = raw.same_build != 0, Steps = (int)raw.steps,
-                    States = (int)raw.states, Bodies = (int)raw.bodies, StepSeconds = raw.step_seconds,
-                    Build = Utf8.Of(raw.build), ThisBuild = Utf8.Of(raw.this_build),
-                    Configuration = Utf8.Of(raw.configuration), Seed = Utf8.Of(raw.seed)
-                };
+                return new RecordingInfo(raw);
             }
         }
 
@@ -133,14 +86,9 @@ namespace Mimo
         {
             get
             {
-                var raw = new ReplayReportStruct { struct_size = (uint)Structs.Size<ReplayReportStruct>() };
+                var raw = ReplayReportStruct.New();
                 MimoException.Check(Native.mimo_recording_report(Handle, ref raw));
-                return new ReplayReport
-                {
-                    Identical = raw.identical != 0, Next = (int)raw.next, Steps = (int)raw.steps,
-                    FirstDifference = (int)raw.first_difference, LargestDifference = raw.largest_difference,
-                    DiffersMostIn = Utf8.Of(raw.differs_most_in)
-                };
+                return new ReplayReport(raw);
             }
         }
 

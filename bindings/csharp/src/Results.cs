@@ -2,17 +2,6 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>What became of an agent's task in a step; values are those of mimo.h.</summary>
-    public enum Outcome
-    {
-        /// <summary>Neither success nor failure.</summary>
-        None = 0,
-        /// <summary>The agent has done what its task wants.</summary>
-        Success = 1,
-        /// <summary>It has failed.</summary>
-        Failure = -1
-    }
-
     /// <summary>What a step gave an agent, beside the observation.</summary>
     public struct Step
     {
@@ -47,7 +36,7 @@ namespace Mimo
         {
             return new EnvResultsStruct
             {
-                struct_size = (uint)Structs.Size<EnvResultsStruct>(), reward = kept.Keep(Rewards),
+                struct_size = EnvResultsStruct.Bytes, reward = kept.Keep(Rewards),
                 terminated = kept.Keep(terminated), truncated = kept.Keep(truncated), outcome = kept.Keep(outcomes),
                 agent_count = (UIntPtr)Rewards.Length, terms = kept.Keep(Terms), term_count = (UIntPtr)Terms.Length
             };

@@ -2,23 +2,6 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>How attached senses look at a simulation; what is not set is the library's default.</summary>
-    public sealed class SensesOptions
-    {
-        /// <summary>Seconds between two calls of Advance; 0: the model's time step.</summary>
-        public double Step;
-        /// <summary>"ray", "osmesa", "gl" (a graphics card), "none"; null: what works.</summary>
-        public string Renderer;
-        /// <summary>What pictures show; null: everything but fog.</summary>
-        public Render? Render;
-        /// <summary>Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL.</summary>
-        public uint Samples;
-        /// <summary>Threads that draw one picture, 1 to 64.</summary>
-        public uint RenderThreads = 1;
-        /// <summary>Receives messages while senses are attached, on the calling thread. Exceptions in it are dropped.</summary>
-        public Action<LogRecord> Log;
-    }
-
     /// <summary>Senses that look at a host's own MuJoCo model, and never change it. Pointers are those of MuJoCo's structs,
     /// as its plug-in for Unity has them; the model outlives the senses.</summary>
     public sealed class Senses : IDisposable
@@ -34,32 +17,11 @@ namespace Mimo
 
         /// <summary>Attaches senses to an mjModel of a host whose mj_version() is given. The scene describes the agents
         /// (with the body "scene"), their skin, the limits of their senses and the cameras.</summary>
-        public Senses(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options = null)
+        public Senses(MimoScene scene, IntPtr model, int mujocoVersion, SensesConfig config = null)
         {
-            owned = Attach(scene, model, mujocoVersion, options ?? new SensesOptions());
+            owned = (config ?? new SensesConfig()).Attach(scene, model, mujocoVersion);
             Layout = new Layout(Handle, (out IntPtr layout) => Native.mimo_senses_layout(Handle, out layout));
             Block = new byte[Layout.BlockBytes];
-        }
-
-        private static SensesHandle Attach(MimoScene scene, IntPtr model, int mujocoVersion, SensesOptions options)
-        {
-            using (var renderer = new PinnedText(options.Renderer))
-            {
-                SensesConfigStruct config;
-                MimoException.Check(Native.mimo_senses_config_init(out config, Structs.Size<SensesConfigStruct>()));
-                config.mujoco_version = mujocoVersion;
-                config.step = options.Step;
-                if (options.Renderer != null) config.renderer = renderer.Pointer;
-                if (options.Render.HasValue) config.render = (uint)options.Render.Value;
-                config.samples = options.Samples;
-                config.render_threads = options.RenderThreads;
-                var log = Logging.Tell(options.Log, out config.log, out config.log_user);
-                SensesHandle made;
-                var status = Native.mimo_senses_attach(Given.Some(scene, "scene", "a MimoScene").Handle, model, ref config, out made);
-                made.Log = log;
-                Logging.CheckTold(status, log);
-                return made;
-            }
         }
 
         /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>

@@ -54,8 +54,7 @@ namespace Mimo
             var tasking = new Tasking(task, terms.Count, fields);
             using (var words = new PinnedParts())
             {
-                TaskStruct raw;
-                MimoException.Check(Native.mimo_task_init(out raw, Structs.Size<TaskStruct>()));
+                var raw = TaskStruct.New();
                 raw.user = GCHandle.ToIntPtr(tasking.kept);
                 raw.memory_bytes = (UIntPtr)((ulong)tasking.memory * sizeof(double));
                 raw.reset = Marshal.GetFunctionPointerForDelegate(reset);
@@ -64,7 +63,7 @@ namespace Mimo
                 raw.term_count = (UIntPtr)terms.Count;
                 raw.fields = words.Keep(fields.Select(field => Described(field, words)).ToArray());
                 raw.field_count = (UIntPtr)fields.Count;
-                var status = Native.mimo_scene_set_task(scene, ref raw);
+                var status = Native.mimo_scene_set_task(scene, words.Keep(new[] { raw }));
                 if (status != 0) tasking.kept.Free();
                 MimoException.Check(status);
             }
@@ -73,8 +72,7 @@ namespace Mimo
 
         private static TaskFieldStruct Described(TaskField field, PinnedParts words)
         {
-            TaskFieldStruct raw;
-            MimoException.Check(Native.mimo_task_field_init(out raw, Structs.Size<TaskFieldStruct>()));
+            var raw = TaskFieldStruct.New();
             raw.name = words.Text(field.Name);
             raw.unit = words.Text(field.Unit);
             raw.frame = words.Text(field.Frame);

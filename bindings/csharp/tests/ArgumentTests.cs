@@ -39,7 +39,7 @@ internal static partial class Tests
         }
         string told = null;
         using (var scene = MimoScene.Builtin("benchmark"))
-        using (new Env(scene, new EnvOptions { Log = record => told = record.Text }))
+        using (new Env(scene, new EnvConfig { Log = record => told = record.Text }))
             Check(told != null && told.Contains("\"benchmark\" has no agents") && told.Contains("MimoScene.AddAgents"), told);
     }
 
@@ -84,14 +84,14 @@ internal static partial class Tests
             Says("samples is null", () => env.Play("head", null, 16000));
             Says("state is null", () => env.Load(null));
             Says("poses is null", () => env.Poses(Kind.Body, Axes.Unity, null));
-            Says("options is null", () => env.Draw(null, new byte[4]));
-            Says("points is null", () => env.Project(new PictureOptions(), null));
+            Says("config is null", () => env.Draw(null, new byte[4]));
+            Says("points is null", () => env.Project(new PictureConfig(), null));
             Says("field is null", () => env.Read(null, new float[1]));
             Says("into is null", () => env.Read(field, (float[])null));
             Says("picture is null", () => env.ReadRgba(null, new byte[4]));
             Says("points is null", () => Frames.ConvertPoints(Axes.Unity, null));
-            Says("options is null", () => scene.AddObject(null));
-            Says("options is null", () => scene.AddCamera(null));
+            Says("config is null", () => scene.AddObject(null));
+            Says("config is null", () => scene.AddCamera(null));
             Says("env is null", () => new Recorder(null, "x.h5"));
             Says("env is null", () => new PoseReader(null));
         }

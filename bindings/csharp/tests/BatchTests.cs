@@ -10,7 +10,7 @@ internal static partial class Tests
     private static Batch ReachBatch(int worlds, uint steps = 0, Autoreset autoreset = Autoreset.None)
     {
         using (var scene = ReachScene())
-            return new Batch(scene, worlds, new EnvOptions { MaxSteps = steps }, autoreset, threads: 2);
+            return new Batch(scene, worlds, new EnvConfig { MaxSteps = steps }, autoreset, threads: 2);
     }
 
     private static MimoScene ReachScene()

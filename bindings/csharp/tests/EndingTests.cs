@@ -29,8 +29,8 @@ internal static partial class Tests
         {
             var scene = MimoScene.Builtin("free");
             var infant = scene.DefaultAgent();
-            infant.vision = 0;
-            infant.touch = 0;
+            infant.Vision = 0;
+            infant.Touch = 0;
             scene.AddAgent(infant);
             return scene;
         }
@@ -40,7 +40,7 @@ internal static partial class Tests
         {
             var scene = Room();
             var recorded = new Env(scene);
-            kept.Add(new Recorder(recorded, file, new RecorderOptions { Replace = true }));
+            kept.Add(new Recorder(recorded, file, new RecorderConfig { Replace = true }));
             for (var step = 0; step < 5; ++step) recorded.Step(null);
             scene.SetTask(new CountingTask());
             var moving = new Env(scene);
@@ -64,10 +64,12 @@ internal static partial class Tests
             mj_forward(model, data);
             var scene = MimoScene.Empty();
             var body = scene.DefaultAgent();
-            body.vision = 0;
-            body.vestibular = 0;
-            body.touch = 0;
-            scene.AddAgent(body, root: "torso");
+            body.Vision = 0;
+            body.Vestibular = 0;
+            body.Touch = 0;
+            body.Body = "scene";
+            body.Root = "torso";
+            scene.AddAgent(body);
             var senses = new Senses(scene, model, mj_version());
             senses.Reset(data);
             senses.Observe(data);

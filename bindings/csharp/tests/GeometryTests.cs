@@ -40,19 +40,19 @@ internal static partial class Tests
     /// <summary>Keeps what it is given, as an engine would.</summary>
     private sealed class Memory : IDrawer
     {
-        internal readonly Dictionary<int, GeomTexture> Textures = new Dictionary<int, GeomTexture>();
-        internal readonly Dictionary<int, GeomAppearance> Materials = new Dictionary<int, GeomAppearance>();
+        internal readonly Dictionary<int, MimoTexture> Textures = new Dictionary<int, MimoTexture>();
+        internal readonly Dictionary<int, Appearance> Materials = new Dictionary<int, Appearance>();
         internal readonly Dictionary<int, float[]> Poses = new Dictionary<int, float[]>();
         internal readonly Dictionary<int, string> Bodies = new Dictionary<int, string>();
         internal int Triangles, Shown;
 
-        public void AddTexture(int id, GeomTexture texture) { Textures.Add(id, texture); }
-        public void SetMesh(int geom, string name, string body, GeomMesh mesh)
+        public void AddTexture(int id, MimoTexture texture) { Textures.Add(id, texture); }
+        public void SetMesh(int geom, string name, string body, MimoMesh mesh)
         {
             Bodies[geom] = body;
             Triangles += mesh.Indices.Length / 3;
         }
-        public void SetAppearance(int geom, GeomAppearance material)
+        public void SetAppearance(int geom, Appearance material)
         {
             ++Shown;
             Materials[geom] = material;

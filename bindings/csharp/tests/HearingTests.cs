@@ -9,10 +9,10 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("free"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.touch = 0;
-            agent.hearing = Hearing.Ears;
-            agent.voice = 1;
+            agent.Vision = 0;
+            agent.Touch = 0;
+            agent.Hearing = Hearing.Ears;
+            agent.Voice = true;
             scene.AddAgent(agent);
             return new Env(scene);
         }

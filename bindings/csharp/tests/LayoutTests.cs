@@ -14,10 +14,13 @@ internal static partial class Tests
     {
         var scene = MimoScene.FromXml(OneArm);
         var agent = scene.DefaultAgent();
-        agent.vision = Vision.None;
-        agent.proprioception = Proprioception.Position | Proprioception.Velocity;
-        agent.touch = TouchOutputs.Force;
-        scene.AddAgent(agent, root: "arm", vestibularAt: "mark");
+        agent.Vision = Vision.None;
+        agent.Proprioception = Proprioception.Position | Proprioception.Velocity;
+        agent.Touch = MimoTouch.Force;
+        agent.Body = "scene";
+        agent.Root = "arm";
+        agent.VestibularAt = "mark";
+        scene.AddAgent(agent);
         return scene;
     }
 
@@ -46,7 +49,7 @@ internal static partial class Tests
         using (var scene = SceneOfOneArm())
         {
             scene.LimitSense("proprioception/velocity", delay: 0.008);
-            using (var env = new Env(scene, new EnvOptions { FrameSkip = 2 }))
+            using (var env = new Env(scene, new EnvConfig { FrameSkip = 2 }))
             {
                 Action<string, double> at = (name, time) =>
                 {
@@ -67,18 +70,19 @@ internal static partial class Tests
     private static void NervesAreAsLateAsTheInfantIsOld()
     {
         var newborn = Maturity.OfAge(0);
-        Check(newborn.acuity == 0.70 && Maturity.OfAge(24).acuity == 11.1, "eyes");
+        Check(newborn.Acuity == 0.70 && Maturity.OfAge(24).Acuity == 11.1, "eyes");
         Check(Refused(() => Maturity.OfAge(25)).Message.Contains("age is 25"), "too old");
         using (var scene = MimoScene.Builtin("free"))
         {
             Check(Refused(() => scene.SetMaturity(newborn)).Status == Status.InvalidArgument, "whose");
             var agent = scene.DefaultAgent();
-            agent.vision = Vision.None;
-            agent.touch = TouchOutputs.None;
+            agent.Vision = Vision.None;
+            agent.Touch = MimoTouch.None;
             var growth = Growth.OfAge(0);
-            Check(growth.maturity == Mature.Body, "the body alone");
-            growth.maturity = Mature.Body | Mature.Delays;
-            scene.AddAgent(agent, growth: growth);
+            Check(growth.Maturity == Mature.Body, "the body alone");
+            growth.Maturity = Mature.Body | Mature.Delays;
+            agent.Growth = growth;
+            scene.AddAgent(agent);
             using (var env = new Env(scene))
             {
                 var limits = env.Layout.Find("proprioception/limit");
@@ -87,17 +91,17 @@ internal static partial class Tests
                 {
                     var joint = env.Find(Kind.Joint, limits.Label(i));
                     var length = lengths[env.BodyOf(Kind.Joint, joint)];
-                    Near(length / newborn.conduction_speed + newborn.sensory_delay, late[i], 0.0025 + 1e-9, limits.Label(i));
+                    Near(length / newborn.ConductionSpeed + newborn.SensoryDelay, late[i], 0.0025 + 1e-9, limits.Label(i));
                 }
                 Near(-late.Max(), limits.Start, 1e-12, "start");
                 Near(-late.Min(), limits.End, 1e-12, "end");
-                growth.age = 18;
+                growth.Age = 18;
                 env.Reset(1, growth);
                 Check(limits.Delays().Sum() < late.Sum(), "grown");
                 Near(-limits.Delays().Max(), limits.Start, 1e-12, "start of the grown one");
             }
-            var slow = Maturity.Default;
-            slow.vestibular_delay = 0.1;
+            var slow = new Maturity();
+            slow.VestibularDelay = 0.1;
             scene.SetMaturity(slow);
             using (var env = new Env(scene)) Near(0.1, env.Layout.Find("vestibular/acceleration").Delays()[0], 1e-12, "slow");
             scene.SetMaturity(null);
@@ -163,10 +167,10 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("free"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = Vision.None;
-            agent.touch = TouchOutputs.None;
-            agent.proprioception = Proprioception.All;
-            agent.acts = Act.None;
+            agent.Vision = Vision.None;
+            agent.Touch = MimoTouch.None;
+            agent.Proprioception = Proprioception.All;
+            agent.Acts = Act.None;
             scene.AddAgent(agent);
             using (var env = new Env(scene))
             {
@@ -182,14 +186,14 @@ internal static partial class Tests
     {
         using (var scene = MimoScene.Empty())
         {
-            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(1, 2, 3) });
-            scene.AddObject(new ObjectOptions { Name = "box", Position = new Vector3d(1, 0, 1), Fixed = true });
+            scene.AddObject(new ObjectConfig { Name = "ball", Position = new Vector3d(1, 2, 3) });
+            scene.AddObject(new ObjectConfig { Name = "box", Position = new Vector3d(1, 0, 1), Fixed = true });
             scene.AddField("things", Quantity.BodyPosition, new[] { "ball", "box" });
             scene.AddField("seen", Quantity.BodyPosition, new[] { "ball" }, "box");
             scene.AddField("speed", Quantity.BodyVelocity | Quantity.Now, new[] { "ball" });
             scene.AddField("gravity", Quantity.WorldGravity, null);
             Check(Refused(() => scene.AddField("seen", Quantity.BodyMass, new[] { "ball" })).Message.Contains("seen"), "a name twice");
-            using (var env = new Env(scene, new EnvOptions { FrameSkip = 2 }))
+            using (var env = new Env(scene, new EnvConfig { FrameSkip = 2 }))
             {
                 var things = env.Layout.Find("things");
                 Check(things.Shape.SequenceEqual(new[] { 2, 3 }) && things.Unit == "m", "two of three numbers");

@@ -9,12 +9,9 @@ internal static partial class Tests
 {
     private static void VersionsAreThoseOfTheHeader()
     {
-        var header = File.ReadAllText(headerFile);
-        var numbers = new[] { "MAJOR", "MINOR", "PATCH" }.Select(part => Regex.Match(header, "MIMO_VERSION_" + part + @" (\d+)").Groups[1].Value);
-        var label = Regex.Match(header, "MIMO_VERSION_LABEL \"(.*?)\"").Groups[1].Value;
-        Check(Library.Version == string.Join(".", numbers) + label, Library.Version);
-        Func<string, uint> number = name => uint.Parse(Regex.Match(header, name + @" (\d+)").Groups[1].Value);
-        Check(Library.ApiVersion == number("MIMO_API_MAJOR") * 1000 + number("MIMO_API_MINOR"), "API " + Library.ApiVersion);
+        var version = Constants.VersionMajor + "." + Constants.VersionMinor + "." + Constants.VersionPatch + Constants.VersionLabel;
+        Check(Library.Version == version, Library.Version);
+        Check(Library.ApiVersion == Constants.ApiVersion, "API " + Library.ApiVersion);
         Check(Regex.IsMatch(Library.MuJoCoVersion, @"^2\.2\.\d+$"), Library.MuJoCoVersion); // the one that is built against
     }
 
@@ -76,7 +73,7 @@ internal static partial class Tests
     {
         using (var scene = MimoScene.Empty())
         {
-            scene.AddObject(new ObjectOptions { Name = "Bällchen", Mass = 0.25, Position = new Vector3d(0, 0, 1) });
+            scene.AddObject(new ObjectConfig { Name = "Bällchen", Mass = 0.25, Position = new Vector3d(0, 0, 1) });
             using (var read = MimoScene.FromXml(scene.ToXml()))
             using (var env = new Env(read))
             {
@@ -90,11 +87,11 @@ internal static partial class Tests
     /// <summary>The config of mimo.h: eyes of 256 pixels, torques, a limit threshold of 0.035 rad.</summary>
     private static void DefaultAgentsAreMade()
     {
-        var agent = AgentConfig.Default;
-        Check(agent.vision == Vision.Rgb && agent.vision_width == 256, "eyes");
-        Check(agent.actuation == Actuation.Torque && agent.limit_threshold == 0.035, "defaults");
-        agent.vision = 0;
-        agent.touch = 0;
+        var agent = new AgentConfig();
+        Check(agent.Vision == Vision.Rgb && agent.VisionWidth == 256, "eyes");
+        Check(agent.Actuation == Actuation.Torque && agent.LimitThreshold == 0.035, "defaults");
+        agent.Vision = 0;
+        agent.Touch = 0;
         using (var scene = MimoScene.Builtin("free"))
         {
             scene.AddAgent(agent);

@@ -15,7 +15,7 @@ internal static partial class Tests
     private static void LogIsDeliveredAndItsExceptionsStay()
     {
         var records = new List<LogRecord>();
-        var options = new EnvOptions { Log = record => { records.Add(record); throw new Exception("stays"); } };
+        var options = new EnvConfig { Log = record => { records.Add(record); throw new Exception("stays"); } };
         using (var scene = MimoScene.FromXml(Crowded.Replace("0.05", "0.11")))
         using (var env = new Env(scene, options))
         {
@@ -24,7 +24,7 @@ internal static partial class Tests
             GC.WaitForPendingFinalizers();
             while (env.Time < 0.1) env.Step(null);
             var told = records.Single();
-            Check(told.Level == MessageLevel.Warning && told.Code == Warning.ContactsDropped, "another warning");
+            Check(told.Level == LogLevel.Warning && told.Code == WarningCode.ContactsDropped, "another warning");
             Check(told.Text.Contains("nconmax") && told.World == 0, told.Text);
             Near(0.048, told.Time, 0.0021, "time");
         }
@@ -36,7 +36,7 @@ internal static partial class Tests
         var records = new List<LogRecord>();
         Env clone;
         using (var scene = MimoScene.FromXml(Crowded))
-        using (var env = new Env(scene, new EnvOptions { Log = records.Add })) clone = env.Clone();
+        using (var env = new Env(scene, new EnvConfig { Log = records.Add })) clone = env.Clone();
         GC.Collect();
         GC.WaitForPendingFinalizers();
         clone.Step(null);
@@ -48,7 +48,7 @@ internal static partial class Tests
     {
         var worlds = new HashSet<int?>();
         using (var scene = MimoScene.FromXml(Crowded))
-        using (var batch = new Batch(scene, 3, new EnvOptions { Log = record => worlds.Add(record.World) }))
+        using (var batch = new Batch(scene, 3, new EnvConfig { Log = record => worlds.Add(record.World) }))
         {
             worlds.Clear();
             batch.Reset();
@@ -60,18 +60,18 @@ internal static partial class Tests
     private static void ScenesAreToldOfToo()
     {
         var records = new List<LogRecord>();
-        using (var scene = MimoScene.Empty(new SceneOptions { Log = records.Add }))
+        using (var scene = MimoScene.Empty(new SceneConfig { Log = records.Add }))
         {
-            scene.AddObject(new ObjectOptions { Name = "block", Shape = Shape.Box, Size = new Vector3d(0.5, 0.5, 0.5), Fixed = true });
+            scene.AddObject(new ObjectConfig { Name = "block", Shape = Shape.Box, Size = new Vector3d(0.5, 0.5, 0.5), Fixed = true });
             var agent = scene.DefaultAgent();
-            agent.vision = Vision.None;
-            agent.touch = TouchOutputs.None;
-            agent.place = Place.Lowest;
+            agent.Vision = Vision.None;
+            agent.Touch = MimoTouch.None;
+            agent.Place = Place.Lowest;
             scene.AddAgent(agent);
             GC.Collect();
             new Env(scene).Dispose();
             var told = records.Single(record => record.Text.Contains("block"));
-            Check(told.Level == MessageLevel.Warning && told.World == null && told.Time == 0, told.Text);
+            Check(told.Level == LogLevel.Warning && told.World == null && told.Time == 0, told.Text);
         }
     }
 
@@ -91,13 +91,13 @@ internal static partial class Tests
     private static WeakReference LogAndDispose()
     {
         var records = new List<LogRecord>();
-        using (var scene = MimoScene.FromXml(Crowded, new SceneOptions { Log = records.Add }))
-        using (var env = new Env(scene, new EnvOptions { Log = records.Add }))
+        using (var scene = MimoScene.FromXml(Crowded, new SceneConfig { Log = records.Add }))
+        using (var env = new Env(scene, new EnvConfig { Log = records.Add }))
         using (env.Clone())
-        using (var batch = new Batch(scene, 2, new EnvOptions { Log = records.Add }))
+        using (var batch = new Batch(scene, 2, new EnvConfig { Log = records.Add }))
         {
-            Refused(() => new Env(scene, new EnvOptions { Log = records.Add, Samples = 3 }));
-            Refused(() => MimoScene.Builtin("bench", new SceneOptions { Log = records.Add }));
+            Refused(() => new Env(scene, new EnvConfig { Log = records.Add, Samples = 3 }));
+            Refused(() => MimoScene.Builtin("bench", new SceneConfig { Log = records.Add }));
             batch.Step(null);
         }
         return new WeakReference(records);

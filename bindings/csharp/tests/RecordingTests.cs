@@ -14,7 +14,7 @@ internal static partial class Tests
         {
             var action = Enumerable.Repeat(0.3f, env.Layout.Actions.Count).ToArray();
             var heard = new float[env.Layout.Find("hearing/ear_left").Shape[0]];
-            var options = new RecorderOptions
+            var options = new RecorderConfig
             {
                 Keep = "hearing/ear_left", StateSeconds = 0.1, Configuration = "{}", Seed = 7
             };
@@ -66,7 +66,7 @@ internal static partial class Tests
         {
             var error = Refused(() => new Recorder(env, path));
             Check(error.Message.Contains("only where `replace` is set"), error.Message);
-            using (new Recorder(env, path, new RecorderOptions { Replace = true }))
+            using (new Recorder(env, path, new RecorderConfig { Replace = true }))
             {
                 env.Step(null);
                 env.Step(null);

@@ -28,8 +28,8 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("free"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.touch = 0;
+            agent.Vision = 0;
+            agent.Touch = 0;
             scene.AddAgent(agent);
             scene.LimitMotor("left_arm", gain: 0.5, delay: 0.02);
             using (var env = new Env(scene))
@@ -72,13 +72,15 @@ internal static partial class Tests
         using (var scene = MimoScene.Empty())
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.vestibular = 0;
-            agent.touch = 0;
-            scene.AddAgent(agent, root: "torso");
+            agent.Vision = 0;
+            agent.Vestibular = 0;
+            agent.Touch = 0;
+            agent.Body = "scene";
+            agent.Root = "torso";
+            scene.AddAgent(agent);
             scene.LimitSense("proprioception/position", delay: 0.05);
             scene.LimitSense("proprioception/velocity", noise: 0.01, delay: 0.05); // which is new in every step
-            var options = new SensesOptions { Step = 0.01 };
+            var options = new SensesConfig { Step = 0.01 };
             using (Senses senses = new Senses(scene, model, mj_version(), options), twin = new Senses(scene, model, mj_version(), options))
             {
                 var position = senses.Layout.Find("proprioception/position");
@@ -122,15 +124,15 @@ internal static partial class Tests
         var records = new List<LogRecord>();
         using (var scene = MimoScene.Empty())
         {
-            scene.AddCamera(new CameraOptions { Name = "above", Width = 8, Height = 8 });
-            Action attach = () => new Senses(scene, model, mj_version(), new SensesOptions { Log = records.Add }).Dispose();
+            scene.AddCamera(new CameraConfig { Name = "above", Width = 8, Height = 8 });
+            Action attach = () => new Senses(scene, model, mj_version(), new SensesConfig { Log = records.Add }).Dispose();
 #if WINDOWS
             var refused = Refused(attach);
             Check(refused.Status == Status.Unsupported && refused.Message.Contains("Linux only"), refused.Message);
 #else
             attach();
             var told = records.Single();
-            Check(told.Level == MessageLevel.Info && told.World == null && told.Text.Contains("OSMesa"), told.Text);
+            Check(told.Level == LogLevel.Info && told.World == null && told.Text.Contains("OSMesa"), told.Text);
 #endif
         }
         mj_deleteModel(model);

@@ -7,11 +7,11 @@ using Mimo;
 internal static partial class Tests
 {
     /// <summary>A ball at a height of 2 m in an empty world.</summary>
-    private static Env Ball(EnvOptions options = null)
+    private static Env Ball(EnvConfig options = null)
     {
         using (var scene = MimoScene.Empty())
         {
-            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(0, 0, 2) });
+            scene.AddObject(new ObjectConfig { Name = "ball", Position = new Vector3d(0, 0, 2) });
             return new Env(scene, options);
         }
     }
@@ -21,7 +21,7 @@ internal static partial class Tests
     {
         using (var env = new Env("reach"))
             Check(env.Task == "reach" && env.FrameSkip == 2 && env.Timestep == 0.005, env.Task + " of other steps");
-        using (var env = Ball(new EnvOptions { FrameSkip = 3 }))
+        using (var env = Ball(new EnvConfig { FrameSkip = 3 }))
         {
             Check(env.Task == "none" && env.FrameSkip == 3, "three");
             env.Step(null);
@@ -54,16 +54,16 @@ internal static partial class Tests
             env.Get(Quantity.JointPosition, new[] { 0 }, joint);
             return joint[2];
         };
-        using (var env = Ball(new EnvOptions { Disable = Disable.Gravity }))
+        using (var env = Ball(new EnvConfig { Disable = Disable.Gravity }))
         {
             env.StepPhysics(20);
             Check(height(env) == 2, "falls without gravity");
         }
         using (var scene = MimoScene.Empty())
         {
-            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(0, 0, 2) });
-            scene.AddObject(new ObjectOptions { Name = "post", Position = new Vector3d(0, 0, 1.95), Fixed = true });
-            Func<EnvOptions, int> contacts = options =>
+            scene.AddObject(new ObjectConfig { Name = "ball", Position = new Vector3d(0, 0, 2) });
+            scene.AddObject(new ObjectConfig { Name = "post", Position = new Vector3d(0, 0, 1.95), Fixed = true });
+            Func<EnvConfig, int> contacts = options =>
             {
                 using (var env = new Env(scene, options))
                 {
@@ -71,18 +71,18 @@ internal static partial class Tests
                     return env.Count(Kind.Contact);
                 }
             };
-            Check(contacts(new EnvOptions()) == 1 && contacts(new EnvOptions { Disable = Disable.Contact }) == 0, "contacts");
-            Check(contacts(new EnvOptions { Disable = Disable.Contact | Disable.OwnSolver }) == 0, "both");
-            using (Env dense = new Env(scene, new EnvOptions { Jacobian = Jacobian.Dense }),
-                sparse = new Env(scene, new EnvOptions { Jacobian = Jacobian.Sparse }))
+            Check(contacts(new EnvConfig()) == 1 && contacts(new EnvConfig { Disable = Disable.Contact }) == 0, "contacts");
+            Check(contacts(new EnvConfig { Disable = Disable.Contact | Disable.OwnSolver }) == 0, "both");
+            using (Env dense = new Env(scene, new EnvConfig { Jacobian = Jacobian.Dense }),
+                sparse = new Env(scene, new EnvConfig { Jacobian = Jacobian.Sparse }))
             {
                 dense.StepPhysics(20);
                 sparse.StepPhysics(20);
                 Near(height(dense), height(sparse), 1e-9, "height");
                 Check(height(dense) > 2, "not pushed out");
             }
-            Check(Refused(() => new Env(scene, new EnvOptions { Jacobian = (Jacobian)7 })).Message.Contains("jacobian is 7"), "Jacobian");
-            Check(Refused(() => new Env(scene, new EnvOptions { Disable = (Disable)0x80 })).Message.Contains("disable"), "bits");
+            Check(Refused(() => new Env(scene, new EnvConfig { Jacobian = (Jacobian)7 })).Message.Contains("jacobian is 7"), "Jacobian");
+            Check(Refused(() => new Env(scene, new EnvConfig { Disable = (Disable)0x80 })).Message.Contains("disable"), "bits");
         }
     }
 
@@ -116,7 +116,7 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("reach"))
         {
             scene.AddAgent(scene.DefaultAgent());
-            using (Env silent = new Env(scene), env = new Env(scene, new EnvOptions { Timing = true }))
+            using (Env silent = new Env(scene), env = new Env(scene, new EnvConfig { Timing = true }))
             {
                 for (var i = 0; i < 3; ++i)
                 {
@@ -139,7 +139,7 @@ internal static partial class Tests
         using (var env = Ball())
         {
             // Looks along +y: right is +x.
-            var ahead = new PictureOptions { LookAt = new Vector3d(0, 0, 1), Distance = 2, Azimuth = 90, FieldOfView = 90 };
+            var ahead = new PictureConfig { LookAt = new Vector3d(0, 0, 1), Distance = 2, Azimuth = 90, Elevation = 0, Fovy = 90 };
             var seen = env.Project(ahead, new Vector3d(0, 0, 1), new Vector3d(0.5, 0, 1.25), new Vector3d(0, -3, 1));
             Action<double, double, double, Vector3d> at = (x, y, depth, pixel) =>
             {
@@ -161,7 +161,7 @@ internal static partial class Tests
     {
         using (var env = Ball())
         {
-            var close = new PictureOptions { LookAt = new Vector3d(0, 0, 2), Distance = 2, FieldOfView = 90 };
+            var close = new PictureConfig { LookAt = new Vector3d(0, 0, 2), Distance = 2, Elevation = 0, Fovy = 90 };
             var middle = 240 * 640 + 320;
             var depth = new float[480 * 640];
             var geoms = new int[480 * 640];

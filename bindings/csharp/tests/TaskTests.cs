@@ -50,8 +50,8 @@ internal static partial class Tests
     {
         var scene = MimoScene.Builtin("free");
         var infant = scene.DefaultAgent();
-        infant.vision = 0;
-        infant.touch = 0;
+        infant.Vision = 0;
+        infant.Touch = 0;
         scene.AddAgent(infant);
         scene.ReadJoint("robot:left_elbow");
         scene.SetTask(task);

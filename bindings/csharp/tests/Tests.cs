@@ -10,8 +10,6 @@ using Mimo;
 
 internal static partial class Tests
 {
-    private static string layoutFile;
-
     private static void Check(bool good, string what)
     {
         if (!good) throw new Exception(what);
@@ -29,80 +27,21 @@ internal static partial class Tests
         throw new Exception("was not refused");
     }
 
-    private static readonly Dictionary<string, Type> structs = new Dictionary<string, Type>
+    /// <summary>C# lays the structs out as C does.</summary>
+    private static void StructsLieAsInC()
     {
-        { "mimo_log_record", typeof(LogRecordStruct) },
-        { "mimo_scene_config", typeof(SceneConfigStruct) },
-        { "mimo_object_config", typeof(ObjectConfigStruct) },
-        { "mimo_model_config", typeof(ModelConfigStruct) },
-        { "mimo_camera_config", typeof(CameraConfigStruct) },
-        { "mimo_field_config", typeof(FieldConfigStruct) },
-        { "mimo_agent_config", typeof(AgentConfig) },
-        { "mimo_growth", typeof(Growth) },
-        { "mimo_limits", typeof(LimitsStruct) },
-        { "mimo_maturity", typeof(Maturity) },
-        { "mimo_layout_info", typeof(LayoutInfoStruct) },
-        { "mimo_field", typeof(FieldStruct) },
-        { "mimo_action", typeof(ActionStruct) },
-        { "mimo_term", typeof(TermStruct) },
-        { "mimo_env_config", typeof(EnvConfigStruct) },
-        { "mimo_agent_info", typeof(AgentInfoStruct) },
-        { "mimo_reset_config", typeof(ResetConfigStruct) },
-        { "mimo_movement", typeof(MovementStruct) },
-        { "mimo_env_results", typeof(EnvResultsStruct) },
-        { "mimo_timing", typeof(TimingStruct) },
-        { "mimo_gaze", typeof(GazeStruct) },
-        { "mimo_mesh", typeof(MeshStruct) },
-        { "mimo_appearance", typeof(AppearanceStruct) },
-        { "mimo_texture", typeof(TextureStruct) },
-        { "mimo_light", typeof(LightStruct) },
-        { "mimo_picture_config", typeof(PictureConfigStruct) },
-        { "mimo_picture", typeof(PictureStruct) },
-        { "mimo_load_report", typeof(LoadReportStruct) },
-        { "mimo_batch_config", typeof(BatchConfigStruct) },
-        { "mimo_batch_reset_config", typeof(BatchResetConfigStruct) },
-        { "mimo_batch_results", typeof(BatchResultsStruct) },
-        { "mimo_parameter", typeof(ParameterStruct) },
-        { "mimo_task_moment", typeof(TaskMomentStruct) },
-        { "mimo_task_verdict", typeof(TaskVerdictStruct) },
-        { "mimo_task_field", typeof(TaskFieldStruct) },
-        { "mimo_task", typeof(TaskStruct) },
-        { "mimo_senses_config", typeof(SensesConfigStruct) }, { "mimo_recorder_config", typeof(RecorderConfigStruct) },
-        { "mimo_recording_info", typeof(RecordingInfoStruct) }, { "mimo_replay_report", typeof(ReplayReportStruct) }
-    };
-
-    /// <summary>Offsets and sizes are those that the C compiler gives, tests/abi/layout.json.</summary>
-    private static void StructsLieAsListed()
-    {
-        var listed = Regex.Matches(File.ReadAllText(layoutFile), "\"(mimo_\\w+)\": \\{([^}]*)\\}").Cast<Match>()
-            .ToDictionary(one => one.Groups[1].Value, one => one.Groups[2].Value);
-        var differ = structs.Keys.Except(listed.Keys).Union(listed.Keys.Except(structs.Keys)).ToList();
-        Check(differ.Count == 0, "only here or only there: " + string.Join(" ", differ));
-        foreach (var one in structs) LiesAsListed(one.Key, one.Value, listed[one.Key]);
-    }
-
-    private static void LiesAsListed(string structName, Type type, string part)
-    {
-        var size = int.Parse(Regex.Match(part, "\"size\": (\\d+)").Groups[1].Value);
-        Check(Marshal.SizeOf(type) == size, structName + " has another size than " + size);
-        var listed = Regex.Matches(part, "\"(\\w+)\": \\[(\\d+), (\\d+)\\]").Cast<Match>().ToList();
-        var fields = type.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
-        Check(fields.Length == listed.Count, structName + " has another number of fields than " + listed.Count);
-        foreach (var field in listed)
+        foreach (var one in Layouts)
         {
-            var name = field.Groups[1].Value;
-            var offset = (int)Marshal.OffsetOf(type, name);
-            var length = SizeOf(fields.Single(f => f.Name == name).FieldType);
-            Check(offset == int.Parse(field.Groups[2].Value) && length == int.Parse(field.Groups[3].Value),
-                structName + "." + name + " lies elsewhere");
+            var fields = one.Key.GetFields(BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic)
+                .Select(field => field.Name + " " + Marshal.OffsetOf(one.Key, field.Name) + " " + Marshal.SizeOf(field.FieldType));
+            var found = Marshal.SizeOf(one.Key) + ": " + string.Join(", ", fields);
+            Check(found == one.Value, one.Key.Name + " is " + found + ", expected " + one.Value);
         }
     }
 
-    private static int SizeOf(Type type) { return Marshal.SizeOf(type.IsEnum ? Enum.GetUnderlyingType(type) : type); }
-
     private static void StructsAreBlittable()
     {
-        foreach (var type in structs.Values)
+        foreach (var type in Layouts.Keys)
             GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free(); // throws for anything else
     }
 
@@ -134,7 +73,7 @@ internal static partial class Tests
     {
         using (var scene = MimoScene.Empty())
         {
-            scene.AddObject(new ObjectOptions { Name = "ball", Position = new Vector3d(1, 2, 3) });
+            scene.AddObject(new ObjectConfig { Name = "ball", Position = new Vector3d(1, 2, 3) });
             using (var env = new Env(scene))
             {
                 env.Reset(1);
@@ -253,13 +192,11 @@ internal static partial class Tests
             .Select(method => (Action)Delegate.CreateDelegate(typeof(Action), method)).ToList();
     }
 
-    /// <summary>Tests.exe tests/abi/layout.json WHOLE_HEADER; or alone: where no library can be used; or as AtTheEnd says.</summary>
+    /// <summary>Tests.exe --all; without arguments: what users read where no library can be used; or as AtTheEnd says.</summary>
     private static int Main(string[] arguments)
     {
         if (arguments.Length == 0) return SayWhyNothingOpens();
         if (arguments[0].StartsWith("--end")) return AtTheEnd(arguments[0], arguments[1]);
-        layoutFile = arguments[0];
-        headerFile = arguments[1];
         var tests = All();
         var failed = 0;
         foreach (var test in tests)

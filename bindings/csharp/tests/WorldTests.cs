@@ -2,6 +2,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Runtime.InteropServices;
 using Mimo;
 
 internal static partial class Tests
@@ -11,9 +12,10 @@ internal static partial class Tests
     {
         var scene = MimoScene.Builtin("free");
         var agent = scene.DefaultAgent();
-        agent.vision = 0;
-        agent.touch = 0;
-        scene.AddAgent(agent, null, "sadness");
+        agent.Vision = 0;
+        agent.Touch = 0;
+        agent.Face = "sadness";
+        scene.AddAgent(agent);
         return scene;
     }
 
@@ -23,11 +25,11 @@ internal static partial class Tests
         const string floor = "<mujoco><worldbody><geom name='floor' type='plane' size='1 1 .1'/></worldbody></mujoco>";
         using (var scene = MimoScene.FromXml(floor))
         {
-            scene.AddObject(new ObjectOptions
+            scene.AddObject(new ObjectConfig
             {
                 Name = "ball", Size = new Vector3d(0.1, 0, 0), Position = new Vector3d(0, 0, 0.0999), Mass = 1
             });
-            using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
+            using (var env = new Env(scene, new EnvConfig { FrameSkip = 1 }))
             {
                 env.Reset();
                 for (var i = 0; i < 400; ++i) env.Step(null);
@@ -47,12 +49,13 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("free"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
+            agent.Vision = 0;
             var growth = Growth.OfAge(24.5);
-            Check(Refused(() => scene.AddAgent(agent, growth: growth)).Message.Contains("age is 24.5"), "another message");
-            growth.age = 6;
-            growth.sex = Sex.Female;
-            scene.AddAgent(agent, growth: growth);
+            agent.Growth = growth;
+            Check(Refused(() => scene.AddAgent(agent)).Message.Contains("age is 24.5"), "another message");
+            growth.Age = 6;
+            growth.Sex = Sex.Female;
+            scene.AddAgent(agent);
             using (var env = new Env(scene)) Near(7.297 / 10.585 * 10.905, env.Agent().Mass, 0.04, "mass of a girl");
         }
     }
@@ -83,7 +86,7 @@ internal static partial class Tests
     private static void ContactsWithinAStep()
     {
         using (var scene = MimoScene.FromXml(HeavyBall))
-        using (var env = new Env(scene, new EnvOptions { FrameSkip = 20, StepContacts = true }))
+        using (var env = new Env(scene, new EnvConfig { FrameSkip = 20, StepContacts = true }))
         {
             var touched = false;
             for (var i = 0; i < 10; ++i)
@@ -162,11 +165,11 @@ internal static partial class Tests
             using (var scene = MimoScene.Builtin("free"))
             {
                 var agent = scene.DefaultAgent();
-                agent.vision = 0;
-                agent.touch = 0;
-                agent.vestibular = Vestibular.Acceleration;
-                agent.place = Place.Soles;
-                agent.position = new Vector3d(0.5, 0, height);
+                agent.Vision = 0;
+                agent.Touch = 0;
+                agent.Vestibular = Vestibular.Acceleration;
+                agent.Place = Place.Soles;
+                agent.Position = new Vector3d(0.5, 0, height);
                 scene.AddAgent(agent);
                 using (var env = new Env(scene))
                 {
@@ -191,10 +194,12 @@ internal static partial class Tests
             using (var scene = MimoScene.FromXml(arm))
             {
                 var agent = scene.DefaultAgent();
-                agent.vision = 0;
-                agent.vestibular = 0;
-                agent.touch = 0;
-                scene.AddAgent(agent, root: "arm");
+                agent.Vision = 0;
+                agent.Vestibular = 0;
+                agent.Touch = 0;
+                agent.Body = "scene";
+                agent.Root = "arm";
+                scene.AddAgent(agent);
                 scene.ReadJoint("hinge");
                 if (limited) scene.LimitSense("proprioception/velocity", gain: 2, delay: 0.004); // two time steps of 2 ms
                 if (shakes > 0) scene.LimitSense("proprioception/velocity", signalNoise: shakes);
@@ -227,8 +232,8 @@ internal static partial class Tests
         {
             scene.SetRoom("playroom");
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.touch = 0;
+            agent.Vision = 0;
+            agent.Touch = 0;
             Check(scene.AddAgents(agent) == 1, "one infant");
             scene.AddModel("cup", new Vector3d(1, 0.5, 0.5), xml: cup);
             scene.Weld("cup");
@@ -278,14 +283,16 @@ internal static partial class Tests
         using (var scene = MimoScene.FromXml(Table))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.vestibular = 0;
-            agent.touch = TouchOutputs.Temperature;
-            scene.AddAgent(agent, root: "arm");
+            agent.Vision = 0;
+            agent.Vestibular = 0;
+            agent.Touch = MimoTouch.Temperature;
+            agent.Body = "scene";
+            agent.Root = "arm";
+            scene.AddAgent(agent);
             scene.SetTouch(0, "arm", 0.05);
             scene.SetTemperature("table", 10);
             scene.SetMaterial("table", material);
-            using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
+            using (var env = new Env(scene, new EnvConfig { FrameSkip = 1 }))
             {
                 env.Reset(1);
                 for (var i = 0; i < 200; ++i) env.Step(null);
@@ -306,7 +313,7 @@ internal static partial class Tests
             Check(env.Face() == "sadness", env.Face());
             var head = new double[3];
             env.Get(Quantity.BodyPosition, new[] { env.Find(Kind.Body, "head") }, head);
-            var close = new PictureOptions
+            var close = new PictureConfig
             {
                 Width = 64, Height = 64, LookAt = new Vector3d(head[0], head[1], head[2] + 0.07), Distance = 0.3, Azimuth = 180
             };
@@ -336,9 +343,9 @@ internal static partial class Tests
             env.Get(Quantity.JointPosition, planned.Joints, angles);
             for (var i = 0; i < 8; ++i) Near(planned.Angles[i], angles[i], 1e-12, "angle");
             var gaze = env.Gaze();
-            Near(point.X, gaze.Point.Value.X, 1e-6, "x");
-            Near(point.Y, gaze.Point.Value.Y, 1e-6, "y");
-            Near(point.Z, gaze.Point.Value.Z, 1e-6, "z");
+            Near(point.X, gaze.Point.X, 1e-6, "x");
+            Near(point.Y, gaze.Point.Y, 1e-6, "y");
+            Near(point.Z, gaze.Point.Z, 1e-6, "z");
             Near(2 * Math.Atan(0.0245 / 0.4), gaze.Vergence, 0.02, "vergence");
         }
     }
@@ -347,15 +354,18 @@ internal static partial class Tests
     {
         using (var scene = Room())
         {
-            scene.AddCamera(new CameraOptions
+            scene.AddCamera(new CameraConfig
             {
-                Name = "wall", Width = 32, Height = 24, Outputs = Vision.Rgb | Vision.Segmentation,
+                Name = "wall", Placed = true, Width = 32, Height = 24, Outputs = Vision.Rgb | Vision.Segmentation,
                 Position = new Vector3d(1.5, 0, 0.8), LookAt = new Vector3d(0, 0, 0.4)
             });
-            scene.AddCamera(new CameraOptions { Name = "palm", Width = 8, Height = 8, Body = "left_hand", LookAt = new Vector3d(0, 0, 1) });
-            scene.AddCamera(new CameraOptions { Name = "eye_left", Width = 16, Height = 8 });
+            scene.AddCamera(new CameraConfig
+            {
+                Name = "palm", Placed = true, Width = 8, Height = 8, Body = "left_hand", Position = new Vector3d(), LookAt = new Vector3d(0, 0, 1)
+            });
+            scene.AddCamera(new CameraConfig { Name = "eye_left", Width = 16, Height = 8 });
             scene.SetTouch(0, "left_hand", 0.01);
-            var options = new EnvOptions { Render = Render.Shadows | Render.Sky, Samples = 4, RenderThreads = 2 };
+            var options = new EnvConfig { Render = Render.Shadows | Render.Sky, Samples = 4, RenderThreads = 2 };
             using (var env = new Env(scene, options))
             {
                 env.Reset(1);
@@ -366,37 +376,33 @@ internal static partial class Tests
                 Check(geoms.Contains(env.Find(Kind.Geom, "floor")), "no floor");
                 byte[] seen = new byte[32 * 24 * 4], drawn = new byte[32 * 24 * 4];
                 env.ReadRgba(env.Layout.Find("vision/wall"), seen, true);
-                env.Draw(new PictureOptions { Camera = "wall", Width = 32, Height = 24, BottomUp = true }, drawn);
+                env.Draw(new PictureConfig { Camera = "wall", Width = 32, Height = 24, BottomUp = true }, drawn);
                 Check(seen.SequenceEqual(drawn), "the field and the picture differ");
             }
-            Check(Refused(() => new Env(scene, new EnvOptions { Samples = 3 })).Message.Contains("samples is 3"), "another message");
+            Check(Refused(() => new Env(scene, new EnvConfig { Samples = 3 })).Message.Contains("samples is 3"), "another message");
         }
     }
 
-    /// <summary>Options that this binding always sets have the library's defaults.</summary>
-    private static void DefaultsAreTheLibrarys()
+    /// <summary>New configs hold the library's defaults, and all that is set in them reaches the library.</summary>
+    private static void ConfigsStartWithTheDefaults()
     {
-        ObjectConfigStruct thing;
-        CameraConfigStruct camera;
-        PictureConfigStruct picture;
-        BatchConfigStruct batch;
-        EnvConfigStruct env;
-        MimoException.Check(Native.mimo_object_config_init(out thing, Structs.Size<ObjectConfigStruct>()));
-        MimoException.Check(Native.mimo_camera_config_init(out camera, Structs.Size<CameraConfigStruct>()));
-        MimoException.Check(Native.mimo_picture_config_init(out picture, Structs.Size<PictureConfigStruct>()));
-        MimoException.Check(Native.mimo_batch_config_init(out batch, Structs.Size<BatchConfigStruct>()));
-        MimoException.Check(Native.mimo_env_config_init(out env, Structs.Size<EnvConfigStruct>()));
-        var ball = new ObjectOptions();
-        Check(thing.shape == (int)ball.Shape && thing.size.X == ball.Size.X && thing.mass == ball.Mass, "object");
-        Check(thing.orientation.W == 1 && thing.@fixed == 0 && thing.position.X == 0, "place");
-        var eye = new CameraOptions();
-        Check(camera.outputs == (uint)eye.Outputs && camera.width == eye.Width && camera.height == eye.Height && camera.fovy == 0, "camera");
-        var photo = new PictureOptions();
-        Check(picture.width == photo.Width && picture.height == photo.Height && picture.fovy == 0, "picture");
-        Check(batch.threads == 0 && batch.autoreset == 0 && batch.restart_failed == 0, "batch");
-        var world = new EnvOptions();
-        Check(env.jacobian == (int)world.Jacobian && env.disable == (uint)world.Disable, "physics");
-        Check(env.frame_skip == 0 && env.max_steps == 0 && env.samples == 0 && env.render_threads == world.RenderThreads, "env");
+        var ball = new ObjectConfig();
+        Check(ball.Shape == Shape.Sphere && ball.Size.X == 0.04 && ball.Mass == 0.1 && !ball.Fixed && ball.Name == null, "object");
+        var photo = new PictureConfig();
+        Check(photo.Width == 640 && photo.Height == 480 && photo.Fovy == 0 && !photo.BottomUp, "picture");
+        var world = new EnvConfig();
+        Check(world.Renderer == "auto" && world.RenderThreads == 1 && world.Task == null && !world.Timing, "world");
+        Check(world.Render == (Render.Shadows | Render.Reflections | Render.Sky | Render.Haze), "all but fog");
+        var agent = new AgentConfig { Body = "fingers", Name = "anna", Face = "fear", Root = "arm", VestibularAt = "mark", Growth = Growth.OfAge(3) };
+        agent.NormalizeActions = agent.Voice = true;
+        using (var parts = new PinnedParts())
+        {
+            var raw = agent.Raw(parts);
+            Check(Utf8.Of(raw.body) == "fingers" && Utf8.Of(raw.name) == "anna" && Utf8.Of(raw.face) == "fear", "names");
+            Check(Utf8.Of(raw.root) == "arm" && Utf8.Of(raw.vestibular_at) == "mark", "further names");
+            Check(raw.normalize_actions == 1 && raw.voice == 1, "switches");
+            Check(((GrowthStruct)Marshal.PtrToStructure(raw.growth, typeof(GrowthStruct))).age == 3, "growth");
+        }
     }
 
     /// <summary>Who is held still is held with its weight: at the third degree of freedom of its free joint.</summary>
@@ -405,10 +411,10 @@ internal static partial class Tests
         using (var scene = MimoScene.Builtin("free"))
         {
             var agent = scene.DefaultAgent();
-            agent.vision = 0;
-            agent.touch = 0;
+            agent.Vision = 0;
+            agent.Touch = 0;
             scene.AddAgent(agent);
-            using (var env = new Env(scene, new EnvOptions { FrameSkip = 1 }))
+            using (var env = new Env(scene, new EnvConfig { FrameSkip = 1 }))
             {
                 var still = env.Get(Quantity.JointPosition);
                 env.Follow(still);
