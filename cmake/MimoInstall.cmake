@@ -7,6 +7,7 @@ if(TARGET mimo_program)
   install(TARGETS mimo_program RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY include/mimo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h PATTERN *.hpp)
+install(FILES interface/interface.json DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo)
 install(DIRECTORY models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo/models
         FILES_MATCHING PATTERN *.xml PATTERN *.png PATTERN *.md PATTERN art EXCLUDE)
 if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
@@ -21,7 +22,7 @@ install(DIRECTORY docs/guide docs/adr DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs C
         FILES_MATCHING PATTERN *.md)
 install(DIRECTORY docs/data DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.csv)
 install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)
-foreach(language c cpp csharp matlab python rust)
+foreach(language c cpp csharp lua matlab python rust)
   install(DIRECTORY examples/${language} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
           COMPONENT documents PATTERN __pycache__ EXCLUDE)
 endforeach()
