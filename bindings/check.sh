@@ -43,7 +43,6 @@ test_rust() {
   local example
   (
     cd bindings/rust
-    ./generate --check
     rust_refuses 'MIMO_LIB_DIR is "/nowhere", expected' MIMO_LIB_DIR=/nowhere
     rust_refuses 'set MIMO_LIB_DIR to the folder of libmimo.so' PKG_CONFIG_LIBDIR=/nowhere
     cargo fmt --check

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "mimo_quantities.h"
+#include "mimo_tables.h"
 
 /* What is read or written: a quantity of things that are named, one or a cell array of them; or of all, with ids NULL.
  */
@@ -115,7 +115,7 @@ static void names(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 2, "expected a world and a kind");
   all = mimo_worlds_of(in[0]);
-  kind = mimo_kind_of(in[1]);
+  kind = (int32_t)mimo_value_of(in[1], "kind", &mimo_kind_words);
   mimo_check(mimo_env_count(all->first, kind, &count));
   out[0] = mxCreateCellMatrix(count, 1);
   for (i = 0; i < count; ++i) mxSetCell(out[0], i, mimo_name_of(all, kind, (int32_t)i));
@@ -128,7 +128,7 @@ static void body_of(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 3, "expected a world, a kind and a name");
   all = mimo_worlds_of(in[0]);
-  kind = mimo_kind_of(in[1]);
+  kind = (int32_t)mimo_value_of(in[1], "kind", &mimo_kind_words);
   mimo_check(mimo_env_body_of(all->first, kind, find(all, kind, mimo_text(in[2], "name")), &body));
   out[0] = mimo_name_of(all, MIMO_BODY, body);
 }

@@ -95,6 +95,10 @@ void mimo_need(int good, const char* message) {
   if (!good) mimo_refuse("%s", message);
 }
 
+void mimo_need_first(int done, const char* message) {
+  if (!done) mexErrMsgIdAndTxt("mimo:BUSY", "%s", message);
+}
+
 char* mimo_text(const mxArray* text, const char* what) {
   if (text == NULL || !mxIsChar(text)) mimo_refuse("%s: expected a text", what);
   if (mxGetNumberOfElements(text) > 0 && mxGetM(text) != 1)
@@ -210,7 +214,7 @@ worlds* mimo_any_worlds_of(const mxArray* number) {
 
 worlds* mimo_worlds_of(const mxArray* number) {
   worlds* all = mimo_any_worlds_of(number);
-  mimo_need(!all->sent, "a step was sent; mimo_receive waits for it");
+  mimo_need_first(!all->sent, "a step was sent; mimo_receive waits for it");
   return all;
 }
 

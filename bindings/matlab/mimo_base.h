@@ -49,6 +49,9 @@ void mimo_check(mimo_status status);
 void mimo_need(int good, const char* message);
 void mimo_refuse(const char* format, ...);
 
+/* Raises mimo:BUSY, MATLAB's MIMO_E_BUSY, unless another call that has to come first was made. */
+void mimo_need_first(int done, const char* message);
+
 /* The same without an error: a message that counts from 1 (lost by the next one), and "NOT_FOUND", or "OK". */
 const char* mimo_counted(const char* message);
 const char* mimo_status_word(mimo_status status);

@@ -4,18 +4,9 @@
 #include <string.h>
 
 #include "mimo_arrays.h"
+#include "mimo_tables.h"
 
-/* The frame of a name: '', 'unity', ... */
-static int32_t read_axes(const mxArray* name) {
-  static const char* const names[] = {"mimo", "unity", "unreal", "godot", "gltf"};
-  const char* text = mimo_text(name, "axes");
-  int32_t i;
-  if (text[0] == '\0') return MIMO_AXES_MIMO;
-  for (i = 0; i < 5; ++i)
-    if (strcmp(text, names[i]) == 0) return i;
-  mimo_refuse("axes is '%s', expected 'mimo', 'unity', 'unreal', 'godot' or 'gltf'", text);
-  return 0;
-}
+static int32_t read_axes(const mxArray* name) { return (int32_t)mimo_value_of(name, "axes", &mimo_axes_words); }
 
 /* A geom, texture or light, counted from 1. */
 static int32_t read_id(const mxArray* number, const char* what) {
@@ -82,7 +73,6 @@ static void appearance(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 
 /* [pixels, type] = texture(number, id, index); of the id 0: how many there are */
 static void texture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  static const char* const types[] = {"flat", "cube", "sky"};
   mimo_texture wanted = {0};
   size_t count = 0;
   mimo_env* env;
@@ -101,7 +91,7 @@ static void texture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   wanted.pixels = mxCalloc(wanted.pixel_bytes, 1);
   mimo_check(mimo_env_texture(env, id, &wanted));
   out[0] = mimo_picture_of(wanted.pixels, wanted.height, wanted.width, 4, MIMO_U8);
-  if (nout > 1) out[1] = mxCreateString(types[wanted.type]);
+  if (nout > 1) out[1] = mxCreateString(mimo_word_for(wanted.type, &mimo_texture_type_words));
 }
 
 /* struct = light(number, id, axes, index); the id 0 is the light that cameras carry */
@@ -128,21 +118,17 @@ static void light(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 
 /* poses = poses(number, kind, axes, index): seven rows */
 static void poses(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  static const char* const names[] = {"body", "geom", "site", "camera"};
-  static const int32_t kinds[] = {MIMO_BODY, MIMO_GEOM, MIMO_SITE, MIMO_CAMERA};
-  const char* kind;
+  int32_t kind;
   mimo_env* env;
-  size_t count = 0, i;
+  size_t count = 0;
   float* values;
   (void)nout;
   mimo_need(nin >= 3, "expected a world, a kind, and axes");
   env = mimo_world_at(mimo_worlds_of(in[0]), nin, in, 3);
-  kind = mimo_text(in[1], "kind");
-  for (i = 0; i < 4 && strcmp(kind, names[i]) != 0; ++i) continue;
-  if (i == 4) mimo_refuse("kind is '%s', expected 'body', 'geom', 'site' or 'camera'", kind);
-  mimo_check(mimo_env_count(env, kinds[i], &count));
+  kind = (int32_t)mimo_value_of(in[1], "kind", &mimo_kind_words);
+  mimo_check(mimo_env_count(env, kind, &count));
   values = mxCalloc(7 * count + 1, sizeof *values);
-  mimo_check(mimo_env_poses(env, kinds[i], read_axes(in[2]), values, 7 * count));
+  mimo_check(mimo_env_poses(env, kind, read_axes(in[2]), values, 7 * count));
   out[0] = rows_of(values, 7, count);
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "mimo_arrays.h"
+#include "mimo_tables.h"
 
 enum { kName = 128 };
 
@@ -188,15 +189,6 @@ static void directions(int nout, mxArray* out[], int nin, const mxArray* in[]) {
       mxGetPr(out[0])[axis * height * width + pixel % width * height + pixel / width] = rows[pixel * 3 + axis];
 }
 
-static int32_t receptor_quantity(const mxArray* name) {
-  static const char* quantities[] = {"body", "geom", "position", "frame"}; /* MIMO_RECEPTOR_BODY is 1 */
-  const char* asked = mimo_text(name, "quantity");
-  int32_t i = 0;
-  while (i < 4 && strcmp(quantities[i], asked) != 0) ++i;
-  if (i == 4) mimo_refuse("quantity is \"%s\", expected body, geom, position or frame", asked);
-  return i + 1;
-}
-
 /* values = receptors(number, field, quantity): a row a receptor */
 static void receptors(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const worlds* all;
@@ -207,7 +199,7 @@ static void receptors(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_need(nin == 3, "expected a world, a field and a quantity");
   all = mimo_any_worlds_of(in[0]);
   index = index_of(all, in[1]);
-  quantity = receptor_quantity(in[2]);
+  quantity = (int32_t)mimo_value_of(in[2], "quantity", &mimo_receptor_words);
   mimo_check(mimo_layout_receptor_width(all->layout, index, quantity, &width));
   values = mxCalloc(width + 1, sizeof *values);
   mimo_check(mimo_layout_receptors(all->layout, index, quantity, values, width));
@@ -231,7 +223,7 @@ static void observation(int nout, mxArray* out[], int nin, const mxArray* in[]) 
   mimo_need(strcmp(precision, "double") == 0 || strcmp(precision, "single") == 0,
             "the precision is 'double' or 'single'");
   mimo_need(strcmp(which, "last") == 0 || strcmp(which, "final") == 0, "which observation is 'last' or 'final'");
-  mimo_need(which[0] == 'l' || all->finals != NULL, "there are final observations with the option autoreset 2 only");
+  mimo_need(which[0] == 'l' || all->finals != NULL, "only with the option autoreset 'same_step' there are final observations");
   blocks.data = which[0] == 'l' ? all->blocks : all->finals;
   blocks.bytes = all->sizes.block_bytes;
   blocks.count = all->count;

@@ -7,14 +7,16 @@
 #include <stdint.h>
 #include <stdio.h>
 
-enum { kKept = 256, kText = 1024 };
+#include "mimo_tables.h"
+
+enum { kKept = 256, kLength = 1024 };
 
 typedef struct message {
   double number, time;
   size_t world;
   int32_t level, code;
   uint32_t in_world;
-  char text[kText];
+  char text[kLength];
 } message;
 
 /* A ring: where it is full, the oldest message goes. */
@@ -50,7 +52,7 @@ mxArray* mimo_take_messages(void) {
   for (i = 0; i < count; ++i) {
     const message* from = &kept[(oldest + i) % kKept];
     mxSetFieldByNumber(all, i, 0, mxCreateDoubleScalar(from->number));
-    mxSetFieldByNumber(all, i, 1, mxCreateString(from->level == MIMO_LOG_WARNING ? "warning" : "info"));
+    mxSetFieldByNumber(all, i, 1, mxCreateString(mimo_word_for(from->level, &mimo_log_level_words)));
     mxSetFieldByNumber(all, i, 2, mxCreateDoubleScalar(from->code));
     mxSetFieldByNumber(all, i, 3, mxCreateString(from->text));
     mxSetFieldByNumber(all, i, 4, of_world(from, (double)from->world + 1));

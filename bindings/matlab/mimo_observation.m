@@ -4,7 +4,7 @@ function observation = mimo_observation(world, precision, which)
 %   observation.touch_force is sensors x 3, N; observation.vision_eye_left is height x width x 3, uint8, for imshow. Vectors are
 %   columns. Many worlds are one more dimension, the last one. mimo_layout says what the fields are.
 %   observation = mimo_observation(world, precision): 'double', or 'single' of everything but colour.
-%   observation = mimo_observation(world, precision, which): which is 'last', or with the option autoreset 2 'final', the last
+%   observation = mimo_observation(world, precision, which): which is 'last', or with autoreset 'same_step' 'final', the last
 %   observations of episodes that ended; they count where final_written of mimo_step says so.
 if nargin < 2, precision = 'double'; end
 if nargin < 3, which = 'last'; end

@@ -3,6 +3,7 @@
 #define MIMO_MATLAB_OPTIONS_H
 
 #include "mimo_base.h"
+#include "mimo_tables.h"
 
 /* What was given by name: the end of a call, create('free', 'touch', 0), or an element of a struct array. */
 typedef struct properties {
@@ -24,17 +25,7 @@ double mimo_take_number(properties* given, const char* name);
 /* An array of just so many numbers. */
 void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value);
 
-/* The members of a struct. A list of them ends with a name that is NULL. */
-typedef enum kind { kUnsigned, kWide, kSigned, kNumber, kThree, kFour, kText, kMaturity } kind;
-typedef struct option {
-  const char* name;
-  kind kind;
-  size_t offset;
-} option;
-
-extern const option mimo_scene_options[], mimo_agent_options[], mimo_growth_options[], mimo_env_options[],
-    mimo_batch_options[], mimo_object_options[], mimo_model_options[], mimo_camera_options[], mimo_field_options[],
-    mimo_limit_options[], mimo_maturity_options[], mimo_picture_options[], mimo_recorder_options[], mimo_no_options[];
+extern const option mimo_no_options[];
 
 /* Growths of ages in months, NULL for NaN; NULL for an empty array. Otherwise they are as the usual one, and belong to
    the call. */

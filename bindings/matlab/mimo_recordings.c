@@ -13,8 +13,7 @@ static void record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout, (void)out;
   mimo_need(nin >= 3, "expected a world and a file");
   all = mimo_worlds_of(in[0]);
-  if (all->recorder != NULL)
-    mexErrMsgIdAndTxt("mimo:BUSY", "one of these worlds is being recorded; mimo_record_end ends that");
+  mimo_need_first(all->recorder == NULL, "one of these worlds is being recorded; mimo_record_end ends that");
   given = mimo_pairs(nin - 3, in + 3);
   mimo_check(mimo_recorder_config_init(&config, sizeof config));
   mimo_set_all(&config, mimo_recorder_options, &given, "a recording");
@@ -26,7 +25,7 @@ static worlds* being_recorded(int nin, const mxArray* in[]) {
   worlds* all;
   mimo_need(nin == 1, "expected a world");
   all = mimo_worlds_of(in[0]);
-  mimo_need(all->recorder != NULL, "this world is not being recorded");
+  mimo_need_first(all->recorder != NULL, "this world is not being recorded; mimo_record starts that");
   return all;
 }
 

@@ -6,7 +6,6 @@
 
 #include "mimo_messages.h"
 #include "mimo_options.h"
-#include "mimo_quantities.h"
 
 /* What adds a thing to a scene, of what is given. It gives the thing's number where it has one, else 0. */
 typedef double (*adder)(mimo_scene* scene, properties* given);
@@ -182,7 +181,7 @@ static double add_joint(mimo_scene* scene, properties* given) {
 static mimo_limits take_limits(properties* given) {
   mimo_limits limits;
   mimo_check(mimo_limits_init(&limits, sizeof limits));
-  mimo_set_all(&limits, mimo_limit_options, given, "limits");
+  mimo_set_all(&limits, mimo_limits_options, given, "limits");
   return limits;
 }
 

@@ -2,7 +2,6 @@
 #include "mimo_sight.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "mimo_arrays.h"
 #include "mimo_options.h"
@@ -36,13 +35,10 @@ typedef struct look {
 
 static look read_look(int nin, const mxArray* in[]) {
   worlds* all;
-  const char* how;
   look wanted;
   mimo_need(nin >= 3, "expected a world, a point of three numbers, and 'eyes' or 'head'");
   all = mimo_worlds_of(in[0]);
-  how = mimo_text(in[2], "how");
-  wanted.how = strcmp(how, "head") == 0 ? MIMO_LOOK_HEAD : MIMO_LOOK_EYES;
-  mimo_need(wanted.how == MIMO_LOOK_HEAD || strcmp(how, "eyes") == 0, "what turns is 'eyes' or 'head'");
+  wanted.how = (int32_t)mimo_value_of(in[2], "how", &mimo_look_words);
   wanted.env = mimo_world_at(all, nin, in, 3);
   wanted.agent = mimo_agent_at(all, nin, in, 4);
   wanted.point = mimo_vector(in[1], "point", 3);

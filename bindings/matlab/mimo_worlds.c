@@ -169,7 +169,7 @@ static void receive(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   mimo_need(nin == 1, "expected a world");
   all = mimo_any_worlds_of(in[0]);
-  mimo_need(all->sent, "no step was sent; mimo_send does");
+  mimo_need_first(all->sent, "no step was sent; mimo_send sends one");
   all->sent = 0;
   mimo_check(mimo_batch_receive(all->batch));
   give_results(all, nout, out);

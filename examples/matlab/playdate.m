@@ -2,9 +2,9 @@
 % the path.
 scene = mimo_scene();
 mimo_scene_add(scene, 'room', 'name', 'playroom');
-mimo_scene_add(scene, 'agent', 'name', 'anna', 'vision', 0, 'place', 2, 'position', [0 0 0]);
-ben = mimo_scene_add(scene, 'agent', 'name', 'ben', 'body', 'fingers', 'face', 'enjoyment', 'vision', 0, ...
-                     'place', 2, 'position', [1 0 0], 'orientation', [0 0 0 1]);  % he faces her
+mimo_scene_add(scene, 'agent', 'name', 'anna', 'vision', {}, 'place', 'soles', 'position', [0 0 0]);
+ben = mimo_scene_add(scene, 'agent', 'name', 'ben', 'body', 'fingers', 'face', 'enjoyment', 'vision', {}, ...
+                     'place', 'soles', 'position', [1 0 0], 'orientation', [0 0 0 1]);  % he faces her
 rattle = ['<mujoco><worldbody><body name="rattle"><geom type="capsule" size=".01 .04" mass=".02"/>' ...
           '<geom type="sphere" size=".02" pos="0 0 .05" mass=".02"/></body></worldbody></mujoco>'];
 hand = [0 -0.05 0 1 0 0 0];  % before the palm: position and quaternion in the frame of the hand

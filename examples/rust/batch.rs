@@ -1,15 +1,12 @@
 //! Sixteen infants reach at random, on all cores: `cargo run --example batch`.
-use mimo::sys::MIMO_AUTORESET_SAME_STEP;
-use mimo::BatchReset;
+use mimo::{Autoreset, BatchReset};
 
 fn main() -> mimo::Result<()> {
     let mut scene = mimo::Scene::builtin("reach")?;
     let agent = scene.default_agent()?;
     scene.add_agent(&agent)?;
     let mut config = mimo::BatchConfig::new(16)?;
-    config
-        .autoreset(MIMO_AUTORESET_SAME_STEP)
-        .restart_failed(true);
+    config.autoreset(Autoreset::SAME_STEP).restart_failed(true);
     let mut batch = mimo::Batch::new(&scene, &mimo::EnvConfig::new()?, &config)?;
 
     let worlds = batch.worlds();

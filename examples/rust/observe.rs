@@ -1,18 +1,26 @@
 //! What is observed, and more of it: where a ball is, as seen from the head, is a field like any other; and skin says
 //! where it feels. `cargo run --example observe`
-use mimo::sys::*;
-use mimo::{Env, EnvConfig, FieldConfig, Layout, Object, Reset, Scene};
+use mimo::{
+    Env, EnvConfig, FieldConfig, Kind, Layout, ObjectConfig, Place, Quantity, Reset, Scene, Vision,
+};
 
 /// A ball falls on an infant that lies on its back.
 fn make_world() -> mimo::Result<Env> {
     let mut scene = Scene::builtin("free")?;
     let mut agent = scene.default_agent()?;
     let half = std::f64::consts::FRAC_1_SQRT_2;
-    agent.vision(0, 8, 8);
-    agent.place_by(MIMO_PLACE_LOWEST, [0.0, 0.0, 0.0], [half, 0.0, -half, 0.0]);
+    agent.vision(Vision::empty());
+    agent
+        .place(Place::LOWEST)
+        .position([0.0, 0.0, 0.0])
+        .orientation([half, 0.0, -half, 0.0]);
     scene.add_agent(&agent)?;
-    scene.add_object(Object::new("ball")?.position([0.15, 0.0, 0.4]).mass(0.5))?;
-    let mut place = FieldConfig::new("ball/position", MIMO_BODY_POSITION | MIMO_NOW, &["ball"])?;
+    scene.add_object(
+        ObjectConfig::new("ball")?
+            .position([0.15, 0.0, 0.4])
+            .mass(0.5),
+    )?;
+    let mut place = FieldConfig::new("ball/position", Quantity::BODY_POSITION.now(), &["ball"])?;
     scene.add_field(place.relative_to("head")?)?;
     Env::new(&scene, &EnvConfig::new()?)
 }
@@ -51,7 +59,7 @@ fn main() -> mimo::Result<()> {
             "{:.2} s: the ball is at {:.2?} m from the head; the {} feels most, {:.1} N",
             env.time()?,
             block.f32("ball/position")?,
-            env.name(MIMO_BODY, receptors[receptor].body)?,
+            env.name(Kind::BODY, receptors[receptor].body)?,
             force
         );
         for _ in 0..4 {

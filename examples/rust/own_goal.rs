@@ -1,8 +1,9 @@
 //! A task of one's own with a goal in the observation, for many worlds at once: the infant is to bring its left hand to
 //! a place that each episode draws anew. A learner reads goal and hand from the observation, and may put another goal
 //! in place of the one that was missed. `cargo run --example own_goal`
-use mimo::sys::*;
-use mimo::{BatchReset, Moment, Outcome, Result, TaskField, Verdict, World};
+use mimo::{
+    BatchReset, Kind, Moment, Outcome, Quantity, Result, TaskField, Touch, Verdict, Vision, World,
+};
 
 const WORLDS: usize = 4;
 const STEPS: usize = 100;
@@ -13,11 +14,11 @@ const MIDDLE: [f64; 3] = [0.15, 0.15, 0.3];
 const HALF: [f64; 3] = [0.1, 0.1, 0.1];
 
 /// Shared by all worlds; only read while they run.
-struct Touch {
+struct Reach {
     hand: i32,
 }
 
-impl mimo::Task for Touch {
+impl mimo::Task for Reach {
     fn terms(&self) -> Vec<String> {
         vec!["nearness".into(), "effort".into()]
     }
@@ -67,10 +68,10 @@ impl mimo::Task for Touch {
     }
 }
 
-impl Touch {
+impl Reach {
     /// The place of the hand is the achieved goal.
     fn feel(&self, world: &World, moment: &mut Moment) -> Result<()> {
-        let place = world.get(MIMO_BODY_POSITION, &[self.hand])?;
+        let place = world.get(Quantity::BODY_POSITION, &[self.hand])?;
         for (field, place) in moment.fields[3..].iter_mut().zip(place) {
             *field = place as f32;
         }
@@ -81,11 +82,11 @@ impl Touch {
 fn make_batch() -> Result<mimo::Batch> {
     let mut scene = mimo::Scene::builtin("benchmark")?;
     let mut agent = scene.default_agent()?;
-    agent.vision(0, 8, 8).touch(0, 1.0);
+    agent.vision(Vision::empty()).touch(Touch::empty());
     scene.add_agent(&agent)?;
     let config = mimo::EnvConfig::new()?;
-    let hand = mimo::Env::new(&scene, &config)?.find(MIMO_BODY, "left_hand")?;
-    scene.set_task(Touch { hand })?;
+    let hand = mimo::Env::new(&scene, &config)?.find(Kind::BODY, "left_hand")?;
+    scene.set_task(Reach { hand })?;
     mimo::Batch::new(&scene, &config, &mimo::BatchConfig::new(WORLDS as u32)?)
 }
 

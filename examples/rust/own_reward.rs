@@ -1,14 +1,14 @@
 //! A reward of one's own: minus the distance of the right hand and the mouth, from places that are looked up by name
 //! once and read after every step. `cargo run --example own_reward`
-use mimo::sys::*;
+use mimo::{Act, Actuation, Kind, Quantity};
 
 /// The body and room of the scene "reach", but no task; the right arm is moved by target angles from -1 to 1.
 fn make_world() -> mimo::Result<mimo::Env> {
     let mut scene = mimo::Scene::builtin("reach")?;
     let mut agent = scene.default_agent()?;
     agent
-        .acts(MIMO_ACT_RIGHT_ARM)
-        .actuation(MIMO_ACTUATION_POSITION)
+        .acts(Act::RIGHT_ARM)
+        .actuation(Actuation::POSITION)
         .normalize_actions(true);
     scene.add_agent(&agent)?;
     let mut config = mimo::EnvConfig::new()?;
@@ -20,7 +20,7 @@ fn make_world() -> mimo::Result<mimo::Env> {
 fn reward(env: &mimo::World, bodies: &[i32; 2]) -> mimo::Result<f64> {
     const MOUTH: [f64; 3] = [0.075, 0.0, 0.045]; // from the head's origin; the head looks ahead here
     let mut place = [0.0; 6];
-    env.get_into(MIMO_BODY_POSITION, bodies, &mut place)?;
+    env.get_into(Quantity::BODY_POSITION, bodies, &mut place)?;
     let square: f64 = (0..3)
         .map(|i| (place[i] - place[3 + i] - MOUTH[i]).powi(2))
         .sum();
@@ -41,8 +41,8 @@ fn try_posture(env: &mut mimo::Env, bodies: &[i32; 2], posture: &[f32]) -> mimo:
 fn main() -> mimo::Result<()> {
     let mut env = make_world()?;
     let bodies = [
-        env.find(MIMO_BODY, "right_fingers")?,
-        env.find(MIMO_BODY, "head")?,
+        env.find(Kind::BODY, "right_fingers")?,
+        env.find(Kind::BODY, "head")?,
     ];
     let mut best = vec![0.0; env.layout()?.action_count()];
     let first = try_posture(&mut env, &bodies, &best)?;

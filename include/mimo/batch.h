@@ -39,8 +39,8 @@ typedef struct mimo_batch_config {
   uint32_t worlds;         /**< 1 (default) to 1048576. */
   uint32_t threads;        /**< Up to 4096; 0 (default): the number of cores. Never more than worlds. */
   int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
-  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with _NONE: in
-                                the same step). 0: it stays failed until mimo_batch_reset or a loaded state. */
+  uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with
+                                _AUTORESET_NONE: in the same step). 0: it stays failed until mimo_batch_reset or a loaded state. */
   uint32_t reserved;       /**< 0. */
   /** Ages: cohort[i % cohort_count] applies to all infants of world i; where it is NULL, the scene's age applies. */
   const mimo_growth *const *cohort;

@@ -39,8 +39,8 @@ impl mimo::Task for Height {
         moment: &mut mimo::Moment,
         verdict: &mut mimo::Verdict,
     ) -> mimo::Result<()> {
-        let hand = world.find(mimo::sys::MIMO_BODY, "left_hand")?;
-        let hand = world.get(mimo::sys::MIMO_BODY_POSITION, &[hand])?[2];
+        let hand = world.find(mimo::Kind::BODY, "left_hand")?;
+        let hand = world.get(mimo::Quantity::BODY_POSITION, &[hand])?[2];
         let square = |&action: &f32| f64::from(action) * f64::from(action);
         let effort: f64 = moment.action.unwrap_or(&[]).iter().map(square).sum();
         verdict.terms[0] = hand - moment.memory[0];
@@ -60,7 +60,7 @@ fn make(scene: &str) -> mimo::Result<mimo::Env> {
     }
     let mut scene = mimo::Scene::builtin("benchmark")?;
     let mut infant = scene.default_agent()?;
-    infant.vision(0, 8, 8);
+    infant.vision(mimo::Vision::empty());
     scene.add_agent(&infant)?;
     scene.set_task(Height)?;
     mimo::Env::new(&scene, &mimo::EnvConfig::new()?)

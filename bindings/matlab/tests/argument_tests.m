@@ -2,7 +2,7 @@
 function all_of_them = argument_tests()
   all_of_them = {@sparse_arrays_are_full, @sparse_options_are_full, @complex_ones_are_refused, @shapes_are_checked, ...
                  @single_is_taken, @texts_have_one_row, @contacts_have_rows, @scenes_of_nothing_are_refused, ...
-                 @nobody_does_a_task, @whole_numbers_are_whole};
+                 @nobody_does_a_task, @whole_numbers_are_whole, @words_stand_for_constants};
 end
 
 % A sparse array keeps the numbers that are not 0 one behind the other: of these the second and the last.
@@ -166,4 +166,26 @@ function whole_numbers_are_whole()
   refused_as(@() mimo_light(world, NaN), 'light is nan');
   refused_as(@() mimo_replay(world, 'x.h5', 0.5), 'first is 0.5');
   mimo_close(world);
+end
+
+% The bits are those of include/mimo/agent.h: FORCE 1, SLIP 4; position control is 1, a box 5. Numbers stay good.
+function words_stand_for_constants()
+  by_words = fields_with('touch', {'force', 'slip'});
+  assert(isequal(by_words, fields_with('touch', 1 + 4)) && any(strcmp(by_words, 'touch/slip')));
+  assert(isequal(fields_with('touch', 'force'), fields_with('touch', true)));
+  assert(~any(strncmp(fields_with('touch', {}), 'touch/', 6)));
+  scene = mimo_scene('free');
+  mimo_scene_add(scene, 'agent', 'vision', {}, 'touch', {}, 'actuation', 'position', 'reflexes', {'moro', 'rooting'});
+  mimo_scene_add(scene, 'object', 'name', 'block', 'shape', 'box', 'size', [.1 .2 .3]);
+  world = mimo_create(scene);
+  assert(isequal(mimo_get(world, 'geom_size', 'block'), [.1 .2 .3]'));
+  assert(all(strcmp({mimo_layout(world).actions.unit}, 'rad')));
+  mimo_close(world);
+  mimo_close(scene);
+  said = 'touch is "fource", expected force, normal_force, slip';
+  refused_as(@() mimo_create('free', 'touch', {'slip', 'fource'}), said);
+  refused_as(@() mimo_create('free', 'actuation', {'torque', 'muscle'}), 'actuation: expected one of torque, position, ');
+  refused_as(@() mimo_create('free', 'autoreset', {}), 'autoreset: expected one of none, next_step or same_step');
+  refused_as(@() mimo_create('free', 'sex', 'both'), 'sex is "both", expected mean, female or male');
+  refused_as(@() mimo_create('free', 'touch', -1), 'touch is -1, expected a whole number from 0 to 4294967295');
 end

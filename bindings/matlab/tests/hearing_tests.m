@@ -5,7 +5,7 @@ end
 
 % A cry is 82 dB at 1 m, 99 at the own ears: docs/guide/hearing.md. 0 dB are 20 micropascals.
 function own_voices_are_heard()
-  world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 1, 'voice', 1);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 'ears', 'voice', 1);
   names = {mimo_layout(world).actions.name};
   assert(isequal(names(end-3:end), {'voice:loudness', 'voice:pitch', 'voice:opening', 'voice:front'}));
   cry = [zeros(numel(names) - 4, 1); 1; 0; 1; 1];
@@ -19,7 +19,7 @@ function own_voices_are_heard()
 end
 
 function what_is_played_is_heard()
-  world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 1, 'voice', 1);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 'ears', 'voice', 1);
   mimo_play(world, 'head', sin(0.3 * (0:799)));
   seen = mimo_step(world, []);
   assert(max(seen.hearing_ear_right(:)) > 0.1);

@@ -6,7 +6,7 @@ end
 
 % In the block, in C's order.
 function fields_lie_where_it_says()
-  worlds = mimo_create('benchmark', 'worlds', 2, 'vision', 7, 'vision_height', 8, 'vision_width', 16);
+  worlds = mimo_create('benchmark', 'worlds', 2, 'vision', {'rgb', 'depth', 'segmentation'}, 'vision_height', 8, 'vision_width', 16);
   seen = mimo_reset(worlds, 7);
   layout = mimo_layout(worlds);
   blocks = mimo_mex('block', worlds);
@@ -102,7 +102,7 @@ end
 
 % Under position control bounds are the ranges of the joints; muscles are activated from 0 to 1.
 function actions_are_described()
-  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 8, 'actuation', 1);  % the right arm
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 'right_arm', 'actuation', 'position');
   actions = mimo_layout(world).actions;
   assert(numel(actions) == 4 && all(strcmp({actions.unit}, 'rad')) && all([actions.agent] == 1));
   elbow = actions(strcmp({actions.name}, 'act:right_elbow'));
@@ -110,12 +110,12 @@ function actions_are_described()
   [low, high] = mimo_bounds(world);
   assert(isequal(low, [actions.low]') && isequal(high, [actions.high]'));
   mimo_close(world);
-  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 8, 'actuation', 2);
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 'right_arm', 'actuation', 'muscle');
   actions = mimo_layout(world).actions;
   assert(numel(actions) == 8 && all([actions.low] == 0) && all([actions.high] == 1) && all(strcmp({actions.unit}, '')));
   assert(isequal(strrep({actions(1:4).name}, 'negative', 'positive'), {actions(5:8).name}));
   mimo_close(world);
-  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 2 ^ 30);
+  world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'acts', 'none');
   assert(isempty(mimo_layout(world).actions) && isequal(size(mimo_bounds(world)), [0 1]));
   mimo_close(world);
   world = mimo_create('playdate', 'vision', 0, 'touch', 0);
@@ -164,7 +164,7 @@ function fields_on_request()
   scene = mimo_scene('free');
   mimo_scene_add(scene, 'agent', 'vision', 0, 'touch', 0);
   mimo_scene_add(scene, 'object', 'name', 'ball', 'position', [3 0 2]);
-  mimo_scene_add(scene, 'object', 'name', 'box', 'shape', 5, 'size', [.1 .1 .1], 'position', [3 1 3], 'orientation', [1 0 0 1]);
+  mimo_scene_add(scene, 'object', 'name', 'box', 'shape', 'box', 'size', [.1 .1 .1], 'position', [3 1 3], 'orientation', [1 0 0 1]);
   mimo_scene_add(scene, 'field', 'name', 'toys/position', 'elements', {'ball', 'box'});
   mimo_scene_add(scene, 'field', 'name', 'toys/velocity', 'quantity', 'body_velocity_now', 'elements', 'ball');
   mimo_scene_add(scene, 'field', 'name', 'toys/apart', 'quantity', 'body_position_now', 'elements', 'ball', 'relative_to', 'box');

@@ -17,7 +17,7 @@ function programs_are_played_again()
   mimo_step(world, []);
   mimo_record_flush(world);
   mimo_record_end(world);
-  refused(@() mimo_record_end(world), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_record_end(world), 'mimo:BUSY');
   info = mimo_recording(file);
   assert(info.steps == 11 && info.bodies == 1 && info.same_build);
   assert(strcmp(info.configuration, '{}') && strcmp(info.seed, '7'));

@@ -35,11 +35,11 @@ function failures_are_outcomes()
   mimo_close(world);
 end
 
-% With autoreset 2 the last observation of an episode is the one that is seen without; the next one is that of a reset.
+% With autoreset same_step the last observation of an episode is the one that is seen without; the next one is that of a reset.
 function episodes_end_and_start()
   plain = mimo_create('reach', 'worlds', 2);
-  again = mimo_create('reach', 'worlds', 2, 'autoreset', 2, 'parameters', {'reach/episode_steps', 1});
-  late = mimo_create('reach', 'worlds', 2, 'autoreset', 1, 'parameters', {'reach/episode_steps', 1});
+  again = mimo_create('reach', 'worlds', 2, 'autoreset', 'same_step', 'parameters', {'reach/episode_steps', 1});
+  late = mimo_create('reach', 'worlds', 2, 'autoreset', 'next_step', 'parameters', {'reach/episode_steps', 1});
   for world = [plain again late], mimo_reset(world, 3); end
   actions = 0.3 * ones(numel(mimo_bounds(plain)), 2);
   [last, reward, ~, ~, info] = mimo_step(plain, actions);
@@ -89,8 +89,8 @@ end
 % An infant that starts inside of a box; and a box that lies on four corners where there is room for two contacts.
 function messages_wait()
   mimo_messages();
-  box = struct('name', 'block', 'shape', 5, 'size', [.3 .3 .3], 'position', [0 0 .3], 'fixed', 1);
-  world = mimo_create('free', 'vision', 0, 'touch', 0, 'place', 2, 'position', [0 0 0], 'objects', box);
+  box = struct('name', 'block', 'shape', 'box', 'size', [.3 .3 .3], 'position', [0 0 .3], 'fixed', 1);
+  world = mimo_create('free', 'vision', 0, 'touch', 0, 'place', 'soles', 'position', [0 0 0], 'objects', box);
   said = mimo_messages();
   assert(numel(said) == 1 && said.number == world && strcmp(said.level, 'warning') && said.code == 0);
   assert(isempty(said.world) && isempty(said.time) && ~isempty(strfind(said.text, 'block')), said.text);
@@ -113,8 +113,8 @@ function messages_wait()
 
   % Scenes have numbers of their own; and of what cannot be made there is something to read as well.
   scene = mimo_scene('free');
-  mimo_scene_add(scene, 'object', 'name', 'block', 'shape', 5, 'size', [.3 .3 .3], 'position', [0 0 .3], 'fixed', 1);
-  mimo_scene_add(scene, 'agent', 'vision', 0, 'touch', 0, 'place', 2, 'position', [0 0 0]);
+  mimo_scene_add(scene, 'object', 'name', 'block', 'shape', 'box', 'size', [.3 .3 .3], 'position', [0 0 .3], 'fixed', 1);
+  mimo_scene_add(scene, 'agent', 'vision', 0, 'touch', 0, 'place', 'soles', 'position', [0 0 0]);
   mimo_close(mimo_create(scene));
   said = mimo_messages();
   assert(isequal([said.number], scene), mat2str([said.number]));

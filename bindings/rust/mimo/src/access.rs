@@ -1,47 +1,48 @@
 //! Named access, for rewards and experiments of one's own: ids are looked up once, then many are read and written at a time.
+use crate::constants::{Kind, Quantity};
 use crate::error::{c_string, check, text, Result};
 use crate::sys;
 use crate::world::World;
 use std::ptr::{null, null_mut};
 
 impl World {
-    /// How many of a kind (`MIMO_BODY` ...) there are; their ids are 0 to one less.
-    pub fn count(&self, kind: u32) -> Result<usize> {
+    /// How many of a kind there are; their ids are 0 to one less.
+    pub fn count(&self, kind: Kind) -> Result<usize> {
         let mut count = 0;
-        check(unsafe { sys::mimo_env_count(self.handle(), kind as i32, &mut count) })?;
+        check(unsafe { sys::mimo_env_count(self.handle(), kind.raw(), &mut count) })?;
         Ok(count)
     }
 
-    /// The id of something (`MIMO_BODY` ...) by its name in the model.
-    pub fn find(&self, kind: u32, name: &str) -> Result<i32> {
+    /// The id of something by its name in the model.
+    pub fn find(&self, kind: Kind, name: &str) -> Result<i32> {
         let name = c_string(name)?;
         let mut id = 0;
-        check(unsafe { sys::mimo_env_find(self.handle(), kind as i32, name.as_ptr(), &mut id) })?;
+        check(unsafe { sys::mimo_env_find(self.handle(), kind.raw(), name.as_ptr(), &mut id) })?;
         Ok(id)
     }
 
     /// The name of something; "" where the model gives none.
-    pub fn name(&self, kind: u32, id: i32) -> Result<String> {
+    pub fn name(&self, kind: Kind, id: i32) -> Result<String> {
         let mut name = null();
-        check(unsafe { sys::mimo_env_name(self.handle(), kind as i32, id, &mut name) })?;
+        check(unsafe { sys::mimo_env_name(self.handle(), kind.raw(), id, &mut name) })?;
         Ok(text(name))
     }
 
-    /// How many values a quantity (`MIMO_BODY_POSITION` ...) has for these ids together.
-    pub fn width(&self, quantity: u32, ids: &[i32]) -> Result<usize> {
+    /// How many values a quantity has for these ids together.
+    pub fn width(&self, quantity: Quantity, ids: &[i32]) -> Result<usize> {
         let mut count = 0;
         check(unsafe {
-            sys::mimo_env_width(self.handle(), quantity as i32, ids.as_ptr(), ids.len(), &mut count)
+            sys::mimo_env_width(self.handle(), quantity.raw(), ids.as_ptr(), ids.len(), &mut count)
         })?;
         Ok(count)
     }
 
     /// Reads a quantity of many at once into `values`, which is as long as [`width`](Self::width) says.
-    pub fn get_into(&self, quantity: u32, ids: &[i32], values: &mut [f64]) -> Result<()> {
+    pub fn get_into(&self, quantity: Quantity, ids: &[i32], values: &mut [f64]) -> Result<()> {
         check(unsafe {
             sys::mimo_env_get(
                 self.handle(),
-                quantity as i32,
+                quantity.raw(),
                 ids.as_ptr(),
                 ids.len(),
                 values.as_mut_ptr(),
@@ -51,18 +52,18 @@ impl World {
     }
 
     /// Reads a quantity of many at once.
-    pub fn get(&self, quantity: u32, ids: &[i32]) -> Result<Vec<f64>> {
+    pub fn get(&self, quantity: Quantity, ids: &[i32]) -> Result<Vec<f64>> {
         let mut values = vec![0.0; self.width(quantity, ids)?];
         self.get_into(quantity, ids, &mut values)?;
         Ok(values)
     }
 
     /// Writes a quantity of many at once.
-    pub fn set(&mut self, quantity: u32, ids: &[i32], values: &[f64]) -> Result<()> {
+    pub fn set(&mut self, quantity: Quantity, ids: &[i32], values: &[f64]) -> Result<()> {
         check(unsafe {
             sys::mimo_env_set(
                 self.handle(),
-                quantity as i32,
+                quantity.raw(),
                 ids.as_ptr(),
                 ids.len(),
                 values.as_ptr(),
@@ -72,29 +73,29 @@ impl World {
     }
 
     /// Reads a quantity of all that there are of its kind.
-    pub fn get_all(&self, quantity: u32) -> Result<Vec<f64>> {
+    pub fn get_all(&self, quantity: Quantity) -> Result<Vec<f64>> {
         let mut count = 0;
-        check(unsafe { sys::mimo_env_width(self.handle(), quantity as i32, null(), 0, &mut count) })?;
+        check(unsafe { sys::mimo_env_width(self.handle(), quantity.raw(), null(), 0, &mut count) })?;
         let mut values = vec![0.0; count];
         check(unsafe {
-            sys::mimo_env_get(self.handle(), quantity as i32, null(), 0, values.as_mut_ptr(), count)
+            sys::mimo_env_get(self.handle(), quantity.raw(), null(), 0, values.as_mut_ptr(), count)
         })?;
         Ok(values)
     }
 
     /// Writes a quantity of all that there are of its kind.
-    pub fn set_all(&mut self, quantity: u32, values: &[f64]) -> Result<()> {
+    pub fn set_all(&mut self, quantity: Quantity, values: &[f64]) -> Result<()> {
         check(unsafe {
-            sys::mimo_env_set(self.handle(), quantity as i32, null(), 0, values.as_ptr(), values.len())
+            sys::mimo_env_set(self.handle(), quantity.raw(), null(), 0, values.as_ptr(), values.len())
         })
     }
 
     /// The same as [`get_into`](Self::get_into) in single precision, for engines.
-    pub fn get_f32_into(&self, quantity: u32, ids: &[i32], values: &mut [f32]) -> Result<()> {
+    pub fn get_f32_into(&self, quantity: Quantity, ids: &[i32], values: &mut [f32]) -> Result<()> {
         check(unsafe {
             sys::mimo_env_get_float(
                 self.handle(),
-                quantity as i32,
+                quantity.raw(),
                 ids.as_ptr(),
                 ids.len(),
                 values.as_mut_ptr(),
@@ -109,9 +110,9 @@ impl World {
     }
 
     /// The body that a joint, geom, site or camera belongs to, or the parent of a body.
-    pub fn body_of(&self, kind: u32, id: i32) -> Result<i32> {
+    pub fn body_of(&self, kind: Kind, id: i32) -> Result<i32> {
         let mut body = 0;
-        check(unsafe { sys::mimo_env_body_of(self.handle(), kind as i32, id, &mut body) })?;
+        check(unsafe { sys::mimo_env_body_of(self.handle(), kind.raw(), id, &mut body) })?;
         Ok(body)
     }
 
@@ -119,5 +120,13 @@ impl World {
     pub fn random(&mut self, values: &mut [f64]) -> Result<()> {
         let values = if values.is_empty() { (null_mut(), 0) } else { (values.as_mut_ptr(), values.len()) };
         check(unsafe { sys::mimo_env_random(self.handle(), values.0, values.1) })
+    }
+}
+
+impl Quantity {
+    /// The same of the present, where the quantity itself belongs to the start of the last physics step: see
+    /// [`sys::MIMO_NOW`].
+    pub const fn now(self) -> Quantity {
+        Quantity::from_raw(self.raw() | sys::MIMO_NOW as i32)
     }
 }

@@ -1,68 +1,16 @@
 //! Many worlds.
 use crate::block::{memory, Block};
-use crate::env_config::EnvConfig;
-use crate::error::{check, told, Error, Result};
-use crate::growth::{pointers, Growth};
+use crate::configs::{BatchConfig, EnvConfig};
+use crate::error::{check, text, told, Error, Result};
 use crate::layout::Layout;
 use crate::log::Log;
 use crate::reset::BatchReset;
 use crate::results::BatchResults;
 use crate::scene::Scene;
-use crate::structs::defaults;
 use crate::sys;
 use crate::task::Shared;
 use crate::world::World;
 use std::ptr::{null, null_mut, NonNull};
-
-/// How many worlds, and what happens when one's episode ends.
-#[derive(Clone, Debug)]
-pub struct BatchConfig {
-    raw: sys::mimo_batch_config,
-    cohort: Vec<Option<Growth>>,
-}
-
-// The pointers inside are set for the length of a call only.
-unsafe impl Send for BatchConfig {}
-unsafe impl Sync for BatchConfig {}
-
-impl BatchConfig {
-    /// That many worlds, all cores, no automatic reset.
-    pub fn new(worlds: u32) -> Result<BatchConfig> {
-        let mut raw = defaults(sys::mimo_batch_config_init)?;
-        raw.worlds = worlds;
-        Ok(BatchConfig { raw, cohort: Vec::new() })
-    }
-
-    /// 0: as many as the machine has cores.
-    pub fn threads(&mut self, threads: u32) -> &mut Self {
-        self.raw.threads = threads;
-        self
-    }
-
-    /// How old infants are: those of world i are of `ages[i % ages.len()]`; None: as the scene says.
-    pub fn cohort(&mut self, ages: &[Option<Growth>]) -> &mut Self {
-        self.cohort = ages.to_vec();
-        self
-    }
-
-    fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_batch_config) -> R) -> R {
-        let cohort = pointers(&self.cohort);
-        let (cohort, cohort_count) = (cohort.as_ptr(), cohort.len());
-        use_it(&sys::mimo_batch_config { cohort, cohort_count, ..self.raw })
-    }
-
-    /// A `MIMO_AUTORESET_` constant.
-    pub fn autoreset(&mut self, mode: u32) -> &mut Self {
-        self.raw.autoreset = mode as i32;
-        self
-    }
-
-    /// Whether a world whose simulation fails starts a new episode.
-    pub fn restart_failed(&mut self, on: bool) -> &mut Self {
-        self.raw.restart_failed = on.into();
-        self
-    }
-}
 
 /// Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
 /// reset with the i-th seed and given the i-th actions.
@@ -197,7 +145,7 @@ impl Batch {
     pub fn world_error(&self, world: usize) -> Result<Option<Error>> {
         let (mut status, mut message) = (0, null());
         check(unsafe { sys::mimo_batch_world_error(self.handle(), world, &mut status, &mut message) })?;
-        Ok(told(status, message))
+        Ok(told(status, || text(message)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Quantities and states of the worlds of a batch.
 use crate::batch::Batch;
+use crate::constants::{Kind, Quantity};
 use crate::error::{check, Result};
 use crate::reset::chosen;
 use crate::state::LoadReport;
@@ -9,28 +10,28 @@ use std::ptr::null;
 
 impl Batch {
     /// Reads a quantity of many ids in all worlds into `values`: worlds x [`World::width`](crate::World::width).
-    pub fn get_into(&self, quantity: u32, ids: &[i32], values: &mut [f64]) -> Result<()> {
-        let (batch, quantity, (ids, id_count)) = (self.handle(), quantity as i32, (ids.as_ptr(), ids.len()));
+    pub fn get_into(&self, quantity: Quantity, ids: &[i32], values: &mut [f64]) -> Result<()> {
+        let (batch, quantity, (ids, id_count)) = (self.handle(), quantity.raw(), (ids.as_ptr(), ids.len()));
         let (to, count) = (values.as_mut_ptr(), values.len());
         check(unsafe { sys::mimo_batch_get(batch, quantity, ids, id_count, null(), 0, to, count) })
     }
 
     /// The same in single precision, for engines.
-    pub fn get_f32_into(&self, quantity: u32, ids: &[i32], values: &mut [f32]) -> Result<()> {
-        let (batch, quantity, (ids, id_count)) = (self.handle(), quantity as i32, (ids.as_ptr(), ids.len()));
+    pub fn get_f32_into(&self, quantity: Quantity, ids: &[i32], values: &mut [f32]) -> Result<()> {
+        let (batch, quantity, (ids, id_count)) = (self.handle(), quantity.raw(), (ids.as_ptr(), ids.len()));
         let (to, count) = (values.as_mut_ptr(), values.len());
         check(unsafe { sys::mimo_batch_get_float(batch, quantity, ids, id_count, null(), 0, to, count) })
     }
 
     /// Writes a quantity of many ids in all worlds: worlds x [`World::width`](crate::World::width).
-    pub fn set(&mut self, quantity: u32, ids: &[i32], values: &[f64]) -> Result<()> {
+    pub fn set(&mut self, quantity: Quantity, ids: &[i32], values: &[f64]) -> Result<()> {
         self.set_in(quantity, ids, values, None)
     }
 
     /// The same, but only in the worlds whose entry of the mask is true; None: in all.
     pub fn set_in(
         &mut self,
-        quantity: u32,
+        quantity: Quantity,
         ids: &[i32],
         values: &[f64],
         mask: Option<&[bool]>,
@@ -39,14 +40,14 @@ impl Batch {
         let (ids, id_count) = (ids.as_ptr(), ids.len());
         let (from, count) = (values.as_ptr(), values.len());
         check(unsafe {
-            sys::mimo_batch_set(self.handle(), quantity as i32, ids, id_count, mask, worlds, from, count)
+            sys::mimo_batch_set(self.handle(), quantity.raw(), ids, id_count, mask, worlds, from, count)
         })
     }
 
     /// Gives an infant another face in the worlds whose entry of the mask is true; None: in all.
     pub fn set_face(&mut self, agent: usize, name: &str, mask: Option<&[bool]>) -> Result<()> {
-        let face = self.world(0)?.find(sys::MIMO_FACE, name)? as f64;
-        self.set_in(sys::MIMO_AGENT_FACE, &[agent as i32], &vec![face; self.worlds()], mask)
+        let face = self.world(0)?.find(Kind::FACE, name)? as f64;
+        self.set_in(Quantity::AGENT_FACE, &[agent as i32], &vec![face; self.worlds()], mask)
     }
 
     /// The states of all worlds, one after the other, each in as many bytes as the longest.

@@ -1,6 +1,7 @@
 //! Memory for observations, and typed views of it.
-use crate::error::{Error, Kind, Result};
-use crate::field::{Field, Type};
+use crate::constants::{FieldType, Status};
+use crate::error::{Error, Result};
+use crate::field::Field;
 use std::fmt;
 use std::os::raw::c_void;
 use std::ptr::null_mut;
@@ -113,30 +114,30 @@ impl<'a> Observation<'a> {
 
     /// A field of bytes: colour pictures, height x width x 3, row 0 is the top. No copy.
     pub fn u8(&self, name: &str) -> Result<&'a [u8]> {
-        self.view(name, Type::U8)
+        self.view(name, FieldType::U8)
     }
 
     /// A field of integers: segmentation, height x width. No copy.
     pub fn i32(&self, name: &str) -> Result<&'a [i32]> {
-        self.view(name, Type::I32)
+        self.view(name, FieldType::I32)
     }
 
     /// A field of single precision numbers: all senses but colour and segmentation. No copy.
     pub fn f32(&self, name: &str) -> Result<&'a [f32]> {
-        self.view(name, Type::F32)
+        self.view(name, FieldType::F32)
     }
 
     /// A field of double precision numbers. No copy.
     pub fn f64(&self, name: &str) -> Result<&'a [f64]> {
-        self.view(name, Type::F64)
+        self.view(name, FieldType::F64)
     }
 
     /// `T` is the type of `dtype`, for which all bit patterns are values.
-    fn view<T>(&self, name: &str, dtype: Type) -> Result<&'a [T]> {
+    fn view<T>(&self, name: &str, dtype: FieldType) -> Result<&'a [T]> {
         let field = self.find(name)?;
         if field.dtype != dtype {
             let message = format!("the field \"{}\" is of type {:?}, not {:?}", name, field.dtype, dtype);
-            return Err(Error::new(Kind::InvalidArgument, message));
+            return Err(Error::new(Status::INVALID_ARGUMENT, message));
         }
         let bytes = &self.bytes[field.bytes.clone()];
         assert_eq!(bytes.as_ptr().align_offset(std::mem::align_of::<T>()), 0);
@@ -148,7 +149,7 @@ impl<'a> Observation<'a> {
         self.fields.iter().find(|field| field.name == name).ok_or_else(|| {
             let names: Vec<&str> = self.fields.iter().map(|field| field.name.as_str()).collect();
             let message = format!("no field named \"{}\"; there are: {}", name, names.join(", "));
-            Error::new(Kind::NotFound, message)
+            Error::new(Status::NOT_FOUND, message)
         })
     }
 }

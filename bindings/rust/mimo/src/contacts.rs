@@ -1,7 +1,7 @@
 //! What touches what.
+use crate::constants::Quantity;
 use crate::error::Result;
 use crate::rows::row;
-use crate::sys;
 use crate::world::World;
 
 /// Two geoms that touch.
@@ -47,13 +47,13 @@ pub struct StepContact {
 impl World {
     /// The contacts that the last physics step computed, with their forces.
     pub fn contacts(&self) -> Result<Vec<Contact>> {
-        let geoms = self.get_all(sys::MIMO_CONTACT_GEOMS)?;
-        let bodies = self.get_all(sys::MIMO_CONTACT_BODIES)?;
-        let positions = self.get_all(sys::MIMO_CONTACT_POSITION)?;
-        let frames = self.get_all(sys::MIMO_CONTACT_FRAME)?;
-        let distances = self.get_all(sys::MIMO_CONTACT_DISTANCE)?;
-        let forces = self.get_all(sys::MIMO_CONTACT_FORCE)?;
-        let torques = self.get_all(sys::MIMO_CONTACT_TORQUE)?;
+        let geoms = self.get_all(Quantity::CONTACT_GEOMS)?;
+        let bodies = self.get_all(Quantity::CONTACT_BODIES)?;
+        let positions = self.get_all(Quantity::CONTACT_POSITION)?;
+        let frames = self.get_all(Quantity::CONTACT_FRAME)?;
+        let distances = self.get_all(Quantity::CONTACT_DISTANCE)?;
+        let forces = self.get_all(Quantity::CONTACT_FORCE)?;
+        let torques = self.get_all(Quantity::CONTACT_TORQUE)?;
         let contact = |i: usize| Contact {
             geoms: row(&geoms, i).map(|id| id as i32),
             bodies: row(&bodies, i).map(|id| id as i32),
@@ -68,13 +68,13 @@ impl World {
 
     /// What touched what during the last step, in worlds made with [`EnvConfig::step_contacts`](crate::EnvConfig).
     pub fn step_contacts(&self) -> Result<Vec<StepContact>> {
-        let geoms = self.get_all(sys::MIMO_STEP_CONTACT_GEOMS)?;
-        let bodies = self.get_all(sys::MIMO_STEP_CONTACT_BODIES)?;
-        let starts = self.get_all(sys::MIMO_STEP_CONTACT_START)?;
-        let ends = self.get_all(sys::MIMO_STEP_CONTACT_END)?;
-        let impulses = self.get_all(sys::MIMO_STEP_CONTACT_IMPULSE)?;
-        let forces = self.get_all(sys::MIMO_STEP_CONTACT_PEAK_FORCE)?;
-        let positions = self.get_all(sys::MIMO_STEP_CONTACT_PEAK_POSITION)?;
+        let geoms = self.get_all(Quantity::STEP_CONTACT_GEOMS)?;
+        let bodies = self.get_all(Quantity::STEP_CONTACT_BODIES)?;
+        let starts = self.get_all(Quantity::STEP_CONTACT_START)?;
+        let ends = self.get_all(Quantity::STEP_CONTACT_END)?;
+        let impulses = self.get_all(Quantity::STEP_CONTACT_IMPULSE)?;
+        let forces = self.get_all(Quantity::STEP_CONTACT_PEAK_FORCE)?;
+        let positions = self.get_all(Quantity::STEP_CONTACT_PEAK_POSITION)?;
         let contact = |i: usize| StepContact {
             geoms: row(&geoms, i).map(|id| id as i32),
             bodies: row(&bodies, i).map(|id| id as i32),

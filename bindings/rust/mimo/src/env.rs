@@ -1,5 +1,5 @@
 //! Worlds of their own.
-use crate::env_config::EnvConfig;
+use crate::configs::EnvConfig;
 use crate::error::{c_string, check, Result};
 use crate::log::Log;
 use crate::scene::Scene;

@@ -1,33 +1,8 @@
 //! What stands where in a block.
-use crate::error::{text, Error, Kind, Result};
+use crate::constants::FieldType;
+use crate::error::text;
 use crate::sys;
 use std::ops::Range;
-
-/// Type of a field's elements.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Type {
-    /// `u8`
-    U8,
-    /// `i32`
-    I32,
-    /// `f32`
-    F32,
-    /// `f64`
-    F64,
-}
-
-impl Type {
-    fn of(dtype: i32) -> Option<Type> {
-        match dtype as u32 {
-            sys::MIMO_U8 => Some(Type::U8),
-            sys::MIMO_I32 => Some(Type::I32),
-            sys::MIMO_F32 => Some(Type::F32),
-            sys::MIMO_F64 => Some(Type::F64),
-            _ => None,
-        }
-    }
-}
 
 /// One field of an observation block.
 ///
@@ -45,7 +20,7 @@ pub struct Field {
     /// Frame of reference, "joint", "camera"; "" for none.
     pub frame: String,
     /// Type of the elements.
-    pub dtype: Type,
+    pub dtype: FieldType,
     /// Dimensions, C order.
     pub shape: Vec<usize>,
     /// Where it lies in the block of one world, bytes.
@@ -71,17 +46,12 @@ impl Field {
     ///
     /// # Safety
     /// The library has filled it, and its owner lives.
-    pub(crate) unsafe fn of(raw: &sys::mimo_field) -> Result<Field> {
-        let name = text(raw.name);
-        let dtype = Type::of(raw.dtype).ok_or_else(|| {
-            let message = format!("the type {} of the field \"{}\" is not known here", raw.dtype, name);
-            Error::new(Kind::Unsupported, message)
-        })?;
-        Ok(Field {
-            name,
+    pub(crate) unsafe fn of(raw: &sys::mimo_field) -> Field {
+        Field {
+            name: text(raw.name),
             unit: text(raw.unit),
             frame: text(raw.frame),
-            dtype,
+            dtype: FieldType::from_raw(raw.dtype),
             shape: std::slice::from_raw_parts(raw.shape, raw.ndim).to_vec(),
             bytes: raw.offset..raw.offset + raw.bytes,
             low: raw.low,
@@ -91,6 +61,6 @@ impl Field {
             period: raw.period,
             receptors: raw.receptors,
             sample_rate: raw.sample_rate,
-        })
+        }
     }
 }

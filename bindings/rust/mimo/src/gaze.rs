@@ -1,4 +1,5 @@
 //! Where an infant looks, and making it look.
+use crate::constants::Look;
 use crate::error::{check, Result};
 use crate::structs::described;
 use crate::sys;
@@ -31,30 +32,12 @@ pub struct Gaze {
     pub miss: f64,
 }
 
-/// What turns to look at a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Look {
-    /// The eyes alone; they reach 45 degrees to the sides, 33 up and 47 down.
-    Eyes,
-    /// The head first, so that the eyes have to turn little.
-    Head,
-}
-
-impl Look {
-    fn number(self) -> i32 {
-        (match self {
-            Look::Eyes => sys::MIMO_LOOK_EYES,
-            Look::Head => sys::MIMO_LOOK_HEAD,
-        }) as i32
-    }
-}
-
 /// Joints that make an infant look at a point.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LookAngles {
     /// Ids: pan, tilt and torsion of the left eye, then of the right one; before them swivel and tilt of the head with
-    /// [`Look::Head`].
+    /// [`Look::HEAD`].
     pub joints: Vec<i32>,
     /// Their angles, rad, within the joints' ranges.
     pub angles: Vec<f64>,
@@ -77,7 +60,7 @@ impl World {
 
     /// Angles of the joints that make an infant look at a point (world, m); nothing moves.
     pub fn look_angles(&mut self, agent: usize, point: [f64; 3], how: Look) -> Result<LookAngles> {
-        let (env, at, how, mut count) = (self.handle(), point.as_ptr(), how.number(), 0);
+        let (env, at, how, mut count) = (self.handle(), point.as_ptr(), how.raw(), 0);
         let mut ask = |joints, angles, capacity, errors| {
             check(unsafe {
                 sys::mimo_env_look_angles(env, agent, at, how, joints, angles, capacity, &mut count, errors)
@@ -95,7 +78,7 @@ impl World {
     pub fn look_at(&mut self, agent: usize, point: [f64; 3], how: Look) -> Result<[f64; 2]> {
         let mut errors = [0.0; 2];
         check(unsafe {
-            sys::mimo_env_look_at(self.handle(), agent, point.as_ptr(), how.number(), errors.as_mut_ptr())
+            sys::mimo_env_look_at(self.handle(), agent, point.as_ptr(), how.raw(), errors.as_mut_ptr())
         })?;
         Ok(errors)
     }

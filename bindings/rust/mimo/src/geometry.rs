@@ -1,36 +1,9 @@
 //! Shapes, materials, textures, lights and poses, for programs that draw the world themselves.
+use crate::constants::{Axes, Kind, TextureType};
 use crate::error::{check, Result};
 use crate::structs::{defaults, described, sized};
 use crate::sys;
 use crate::world::World;
-
-/// The frames of engines; [`sys`] says which way their axes point.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Axes {
-    /// The library's: x forward, y left, z up; quaternions w x y z, x y z w in all others.
-    #[default]
-    Mimo,
-    /// Left-handed, y up, z forward.
-    Unity,
-    /// Left-handed, x forward, z up; cm.
-    Unreal,
-    /// Right-handed, y up, z backward.
-    Godot,
-    /// Right-handed, y up, z forward.
-    Gltf,
-}
-
-impl Axes {
-    fn number(self) -> i32 {
-        (match self {
-            Axes::Mimo => sys::MIMO_AXES_MIMO,
-            Axes::Unity => sys::MIMO_AXES_UNITY,
-            Axes::Unreal => sys::MIMO_AXES_UNREAL,
-            Axes::Godot => sys::MIMO_AXES_GODOT,
-            Axes::Gltf => sys::MIMO_AXES_GLTF,
-        }) as i32
-    }
-}
 
 /// How fine a mesh is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,8 +60,8 @@ pub struct Appearance {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Texture {
-    /// A `MIMO_TEXTURE_` constant.
-    pub kind: i32,
+    /// How its pixels are arranged.
+    pub kind: TextureType,
     /// Pixels.
     pub width: u32,
     /// Pixels, of a cube's six pictures together.
@@ -137,13 +110,13 @@ pub struct Pose {
 
 /// Places of ours in another frame: of touch sensors, for example.
 pub fn convert_points(axes: Axes, points: &mut [[f32; 3]]) -> Result<()> {
-    check(unsafe { sys::mimo_convert_points(axes.number(), points.as_mut_ptr().cast(), points.len()) })
+    check(unsafe { sys::mimo_convert_points(axes.raw(), points.as_mut_ptr().cast(), points.len()) })
 }
 
 /// Directions likewise; their lengths stay.
 pub fn convert_directions(axes: Axes, directions: &mut [[f32; 3]]) -> Result<()> {
     check(unsafe {
-        sys::mimo_convert_directions(axes.number(), directions.as_mut_ptr().cast(), directions.len())
+        sys::mimo_convert_directions(axes.raw(), directions.as_mut_ptr().cast(), directions.len())
     })
 }
 
@@ -151,7 +124,7 @@ impl World {
     /// A geom as triangles.
     pub fn mesh(&self, geom: i32, axes: Axes, detail: Detail) -> Result<Mesh> {
         let mut raw = defaults(sys::mimo_mesh_init)?;
-        raw.axes = axes.number();
+        raw.axes = axes.raw();
         raw.segments = detail.segments;
         raw.plane = detail.plane;
         check(unsafe { sys::mimo_env_mesh(self.handle(), geom, &mut raw) })?;
@@ -203,12 +176,12 @@ impl World {
         raw.pixels = pixels.as_mut_ptr();
         raw.pixel_bytes = pixels.len();
         check(unsafe { sys::mimo_env_texture(self.handle(), id, &mut raw) })?;
-        Ok(Texture { kind: raw.type_, width: raw.width, height: raw.height, pixels })
+        Ok(Texture { kind: TextureType::from_raw(raw.type_), width: raw.width, height: raw.height, pixels })
     }
 
     /// A light by its id; None: the one that every camera carries.
     pub fn light(&self, id: Option<i32>, axes: Axes) -> Result<Light> {
-        let mut raw = sys::mimo_light { axes: axes.number(), ..sized() };
+        let mut raw = sys::mimo_light { axes: axes.raw(), ..sized() };
         check(unsafe { sys::mimo_env_light(self.handle(), id.unwrap_or(sys::MIMO_HEADLIGHT), &mut raw) })?;
         Ok(Light {
             active: raw.active == 1,
@@ -225,16 +198,16 @@ impl World {
         })
     }
 
-    /// Where all bodies, geoms, sites or cameras (`MIMO_BODY`, ...) are now.
-    pub fn poses(&self, kind: u32, axes: Axes) -> Result<Vec<Pose>> {
+    /// Where all bodies, geoms, sites or cameras are now.
+    pub fn poses(&self, kind: Kind, axes: Axes) -> Result<Vec<Pose>> {
         let mut poses = vec![Pose::default(); self.count(kind)?];
         self.poses_into(kind, axes, &mut poses)?;
         Ok(poses)
     }
 
     /// The same into memory that is there.
-    pub fn poses_into(&self, kind: u32, axes: Axes, poses: &mut [Pose]) -> Result<()> {
+    pub fn poses_into(&self, kind: Kind, axes: Axes, poses: &mut [Pose]) -> Result<()> {
         let (to, count) = (poses.as_mut_ptr().cast(), 7 * poses.len());
-        check(unsafe { sys::mimo_env_poses(self.handle(), kind as i32, axes.number(), to, count) })
+        check(unsafe { sys::mimo_env_poses(self.handle(), kind.raw(), axes.raw(), to, count) })
     }
 }

@@ -1,5 +1,6 @@
 //! What something observes, acts with and is rewarded for.
 use crate::block::Block;
+use crate::constants::Receptor;
 use crate::error::{c_string, check, text, Result};
 use crate::field::Field;
 use crate::rows::row;
@@ -46,7 +47,7 @@ pub struct Term {
 /// A place where skin feels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Receptor {
+pub struct ReceptorInfo {
     /// Id of the body that it sits on.
     pub body: i32,
     /// Id of the geom whose surface it lies on.
@@ -97,7 +98,7 @@ impl<'a> Layout<'a> {
     /// The index-th field.
     pub fn field(&self, index: usize) -> Result<Field> {
         let raw = described(|raw| unsafe { sys::mimo_layout_field(self.handle, index, raw) })?;
-        unsafe { Field::of(&raw) }
+        Ok(unsafe { Field::of(&raw) })
     }
 
     /// Index of a field by its name.
@@ -141,12 +142,12 @@ impl<'a> Layout<'a> {
     }
 
     /// Where a field's receptors are, in the order of its first axis.
-    pub fn receptors(&self, field: usize) -> Result<Vec<Receptor>> {
-        let bodies = self.receptor_values(field, sys::MIMO_RECEPTOR_BODY)?;
-        let geoms = self.receptor_values(field, sys::MIMO_RECEPTOR_GEOM)?;
-        let positions = self.receptor_values(field, sys::MIMO_RECEPTOR_POSITION)?;
-        let frames = self.receptor_values(field, sys::MIMO_RECEPTOR_FRAME)?;
-        let receptor = |i: usize| Receptor {
+    pub fn receptors(&self, field: usize) -> Result<Vec<ReceptorInfo>> {
+        let bodies = self.receptor_values(field, Receptor::BODY)?;
+        let geoms = self.receptor_values(field, Receptor::GEOM)?;
+        let positions = self.receptor_values(field, Receptor::POSITION)?;
+        let frames = self.receptor_values(field, Receptor::FRAME)?;
+        let receptor = |i: usize| ReceptorInfo {
             body: bodies[i] as i32,
             geom: geoms[i] as i32,
             position: row(&positions, i),
@@ -155,9 +156,9 @@ impl<'a> Layout<'a> {
         Ok((0..bodies.len()).map(receptor).collect())
     }
 
-    /// A quantity (`MIMO_RECEPTOR_POSITION` ...) of all receptors of a field, one after the other.
-    pub fn receptor_values(&self, field: usize, quantity: u32) -> Result<Vec<f64>> {
-        let (handle, quantity, mut count) = (self.handle, quantity as i32, 0);
+    /// A quantity of all receptors of a field, one after the other.
+    pub fn receptor_values(&self, field: usize, quantity: Receptor) -> Result<Vec<f64>> {
+        let (handle, quantity, mut count) = (self.handle, quantity.raw(), 0);
         check(unsafe { sys::mimo_layout_receptor_width(handle, field, quantity, &mut count) })?;
         let mut values = vec![0.0; count];
         check(unsafe { sys::mimo_layout_receptors(handle, field, quantity, values.as_mut_ptr(), count) })?;

@@ -21,32 +21,36 @@
 //! Every type is `Send`: a handle may move between threads. Every type is `Sync`, for `&self` methods call functions
 //! that may run at the same time on one handle, and `&mut self` methods those that need it for themselves.
 //!
-//! Constants (`MIMO_BODY_POSITION`, ...) and everything that has no safe form yet are in [`sys`].
+//! Constants are those of C in types of their own: [`Quantity::BODY_POSITION`] is `MIMO_BODY_POSITION`, and
+//! `Touch::FORCE | Touch::SLIP` are two bits. Whatever has no safe form yet is in [`sys`].
 #![warn(missing_docs, missing_debug_implementations)]
 
 pub use mimo_sys as sys;
+
+#[macro_use]
+mod enumerations;
 
 mod access;
 mod agent;
 mod batch;
 mod batch_access;
 mod block;
-mod camera;
+#[rustfmt::skip]
+mod configs;
+#[rustfmt::skip]
+mod constants;
+mod constructors;
 mod contacts;
 mod env;
-mod env_config;
 mod error;
 mod field;
-mod field_config;
 mod gaze;
 mod geometry;
-mod growth;
 mod layout;
 mod limits;
 mod lists;
 mod log;
 mod maturity;
-mod object;
 mod overrides;
 mod picture;
 mod recording;
@@ -54,7 +58,6 @@ mod reset;
 mod results;
 mod rows;
 mod scene;
-mod scene_config;
 mod senses;
 mod state;
 mod steps;
@@ -64,34 +67,28 @@ mod timing;
 mod version;
 mod world;
 
-pub use agent::{AgentConfig, AgentInfo};
-pub use batch::{Batch, BatchConfig};
+pub use agent::AgentInfo;
+pub use batch::Batch;
 pub use block::{Block, Observation};
-pub use camera::Camera;
+pub use configs::*;
+pub use constants::*;
 pub use contacts::{Contact, StepContact};
 pub use env::Env;
-pub use env_config::EnvConfig;
-pub use error::{Error, Kind, Result, Status};
-pub use field::{Field, Type};
-pub use field_config::FieldConfig;
-pub use gaze::{Gaze, Look, LookAngles, Sightline};
-pub use geometry::{
-    convert_directions, convert_points, Appearance, Axes, Detail, Light, Mesh, Pose, Texture,
-};
-pub use growth::Growth;
-pub use layout::{Action, Layout, Receptor, Term};
+pub use error::{Error, Result};
+pub use field::Field;
+pub use gaze::{Gaze, LookAngles, Sightline};
+pub use geometry::{convert_directions, convert_points, Appearance, Detail, Light, Mesh, Pose, Texture};
+pub use layout::{Action, Layout, ReceptorInfo, Term};
 pub use limits::Limits;
 pub use lists::{builtin_scenes, faces, materials, parameters, rooms, tasks, Parameter};
-pub use log::{Level, LogRecord};
+pub use log::LogRecord;
 pub use maturity::Maturity;
-pub use object::{Model, Object};
-pub use picture::{Picture, PictureConfig};
-pub use recording::{Recorded, Recorder, RecorderConfig, Recording, RecordingInfo, ReplayReport};
+pub use picture::Picture;
+pub use recording::{Recorded, Recorder, Recording, RecordingInfo, ReplayReport};
 pub use reset::{BatchReset, Reset};
-pub use results::{BatchResults, Outcome, Results, Step};
+pub use results::{BatchResults, Results, Step};
 pub use scene::Scene;
-pub use scene_config::{DocumentLimits, SceneConfig};
-pub use senses::{Senses, SensesConfig};
+pub use senses::Senses;
 pub use state::LoadReport;
 pub use task::{Moment, Task, TaskField, Verdict};
 pub use timing::Timing;

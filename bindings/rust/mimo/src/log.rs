@@ -1,4 +1,5 @@
 //! Messages of the library, delivered to a closure.
+use crate::constants::{LogLevel, WarningCode};
 use crate::sys;
 use std::ffi::CStr;
 use std::fmt;
@@ -6,24 +7,14 @@ use std::os::raw::c_void;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::Arc;
 
-/// How much a message matters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Level {
-    /// Something is not as the user probably meant it.
-    Warning,
-    /// Worth knowing, once.
-    Info,
-}
-
 /// A message.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LogRecord<'a> {
     /// How much it matters.
-    pub level: Level,
-    /// What it is about: a `MIMO_WARNING_` constant where physics warns, else 0.
-    pub code: u32,
+    pub level: LogLevel,
+    /// What physics warns of; None for all other messages.
+    pub code: Option<WarningCode>,
     /// One line.
     pub text: &'a str,
     /// The world whose physics warns, by its number in its batch (0 for a single one); None where a scene, a model or a
@@ -65,8 +56,8 @@ unsafe extern "C" fn forward(user: *mut c_void, record: *const sys::mimo_log_rec
     let (log, told) = (&*(user as *const Closure), &*record);
     let text = CStr::from_ptr(told.text).to_string_lossy();
     let record = LogRecord {
-        level: if told.level == sys::MIMO_LOG_WARNING as i32 { Level::Warning } else { Level::Info },
-        code: told.code as u32,
+        level: LogLevel::from_raw(told.level),
+        code: (told.code != 0).then_some(WarningCode::from_raw(told.code)),
         text: &text,
         world: (told.in_world == 1).then_some(told.world),
         time: told.time,

@@ -1,83 +1,13 @@
 //! Recordings: runs in HDF5 files, written while they happen, and played again.
 use crate::block::{memory, Block};
+use crate::configs::RecorderConfig;
 use crate::error::{c_string, check, text, Result};
 use crate::results::Step;
-use crate::structs::{defaults, described, pointer};
+use crate::structs::{described, pointer};
 use crate::sys;
 use crate::world::World;
-use std::ffi::CString;
 use std::os::raw::c_void;
 use std::ptr::{null, null_mut, NonNull};
-
-/// What is recorded, and how.
-#[derive(Clone, Debug)]
-pub struct RecorderConfig {
-    raw: sys::mimo_recorder_config,
-    keep: Option<CString>,
-    configuration: Option<CString>,
-    hdf5: Option<CString>,
-}
-
-// The pointers inside are set for the length of a call only.
-unsafe impl Send for RecorderConfig {}
-unsafe impl Sync for RecorderConfig {}
-
-impl RecorderConfig {
-    /// Proprioception and vestibular sense of each step, and a state each second.
-    pub fn new() -> Result<RecorderConfig> {
-        let raw = defaults(sys::mimo_recorder_config_init)?;
-        Ok(RecorderConfig { raw, keep: None, configuration: None, hdf5: None })
-    }
-
-    /// Fields to keep: "all", "none", or senses and fields with commas between them.
-    pub fn keep(&mut self, fields: &str) -> Result<&mut Self> {
-        self.keep = Some(c_string(fields)?);
-        Ok(self)
-    }
-
-    /// Simulated seconds between states that are kept.
-    pub fn state_seconds(&mut self, seconds: f64) -> &mut Self {
-        self.raw.state_seconds = seconds;
-        self
-    }
-
-    /// Real seconds after which all is on its way to the disk.
-    pub fn flush_seconds(&mut self, seconds: f64) -> &mut Self {
-        self.raw.flush_seconds = seconds;
-        self
-    }
-
-    /// 0 for none to 9 for the smallest file.
-    pub fn compression(&mut self, level: u32) -> &mut Self {
-        self.raw.compression = level;
-        self
-    }
-
-    /// What the program wants to find again: a text, best JSON.
-    pub fn configuration(&mut self, text: &str) -> Result<&mut Self> {
-        self.configuration = Some(c_string(text)?);
-        Ok(self)
-    }
-
-    /// For people; replays do not need it.
-    pub fn seed(&mut self, seed: u64) -> &mut Self {
-        self.raw.seed = seed;
-        self
-    }
-
-    /// Whether a whole recording that is there, and that no program is using, is replaced. Else it stays, and
-    /// [`Recorder::open`] fails.
-    pub fn replace(&mut self, replace: bool) -> &mut Self {
-        self.raw.replace = u32::from(replace);
-        self
-    }
-
-    /// Path of the HDF5 library, where it is not the system's.
-    pub fn hdf5(&mut self, path: &str) -> Result<&mut Self> {
-        self.hdf5 = Some(c_string(path)?);
-        Ok(self)
-    }
-}
 
 /// Records all steps of a world, also after that was moved, until this is closed or dropped, or the world is. It is
 /// neither `Send` nor `Sync`: closing needs the world for itself, so both stay on one thread.
@@ -90,12 +20,10 @@ impl Recorder {
     /// Records a world from now on. A recording that is there stays, and is an error, unless the config says otherwise.
     pub fn open(world: &mut World, path: &str, config: &RecorderConfig) -> Result<Recorder> {
         let path = c_string(path)?;
-        let mut raw = config.raw;
-        raw.keep = pointer(&config.keep);
-        raw.configuration = pointer(&config.configuration);
-        raw.hdf5 = pointer(&config.hdf5);
         let mut handle = null_mut();
-        check(unsafe { sys::mimo_recorder_open(world.handle(), path.as_ptr(), &raw, &mut handle) })?;
+        config.with_raw(|config| {
+            check(unsafe { sys::mimo_recorder_open(world.handle(), path.as_ptr(), config, &mut handle) })
+        })?;
         Ok(Recorder { handle: NonNull::new(handle) })
     }
 
@@ -250,7 +178,7 @@ impl Recording {
 
     /// Plays the next step, in a world of one agent, and compares what comes of it with the recording.
     pub fn step(&mut self, world: &mut World, block: Option<&mut Block>) -> Result<Step> {
-        let mut step = Step::default();
+        let mut step = Step::new();
         let raw = step.raw();
         self.step_raw(world, block, &raw)?;
         Ok(step)

@@ -1,6 +1,7 @@
 //! How episodes start.
-use crate::error::{Error, Kind, Result};
-use crate::growth::{pointers, Growth};
+use crate::configs::Growth;
+use crate::constants::Status;
+use crate::error::{Error, Result};
 use crate::structs::sized;
 use crate::sys;
 use std::ptr::null;
@@ -75,7 +76,7 @@ impl<'a> BatchReset<'a> {
             Some(other) => {
                 let message =
                     format!("seeds, mask and ages have {} and {} entries, expected as many", worlds, other);
-                Err(Error::new(Kind::InvalidArgument, message))
+                Err(Error::new(Status::INVALID_ARGUMENT, message))
             }
         }
     }
@@ -88,6 +89,11 @@ impl<'a> BatchReset<'a> {
         let growth = growth.as_ref().map_or(null(), |growth| growth.as_ptr());
         Ok(use_it(&sys::mimo_batch_reset_config { seeds, mask, worlds, growth, ..sized() }))
     }
+}
+
+/// Growths as C has them; NULL for those that stay.
+fn pointers(ages: &[Option<Growth>]) -> Vec<*const sys::mimo_growth> {
+    ages.iter().map(Growth::pointer).collect()
 }
 
 /// A mask as C has it, and its length. `bool` is a byte of 0 or 1.

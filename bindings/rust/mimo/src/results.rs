@@ -1,26 +1,13 @@
 //! What steps give, beside observations.
 use crate::block::{memory, Block};
-use crate::error::{Error, Kind, Result, Status};
+use crate::constants::{Outcome, Status};
+use crate::error::{Error, Result};
 use crate::layout::Layout;
 use crate::structs::sized;
 use crate::sys;
 
-/// Whether an agent has done what its task wants, also where that does not end the episode.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[repr(transparent)]
-pub struct Outcome(pub(crate) i32);
-
-impl Outcome {
-    /// Neither success nor failure.
-    pub const NONE: Outcome = Outcome(sys::MIMO_OUTCOME_NONE as i32);
-    /// It has done it.
-    pub const SUCCESS: Outcome = Outcome(sys::MIMO_OUTCOME_SUCCESS as i32);
-    /// It has failed.
-    pub const FAILURE: Outcome = Outcome(sys::MIMO_OUTCOME_FAILURE);
-}
-
 /// What a step gave a single agent.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Step {
     /// Reward of the task.
@@ -34,12 +21,17 @@ pub struct Step {
 }
 
 impl Step {
+    /// For the library to write to.
+    pub(crate) fn new() -> Step {
+        Step { reward: 0.0, terminated: false, truncated: false, outcome: Outcome::NONE }
+    }
+
     pub(crate) fn raw(&mut self) -> sys::mimo_env_results {
         sys::mimo_env_results {
             reward: &mut self.reward,
             terminated: flags(std::slice::from_mut(&mut self.terminated)),
             truncated: flags(std::slice::from_mut(&mut self.truncated)),
-            outcome: &mut self.outcome.0,
+            outcome: outcomes(std::slice::from_mut(&mut self.outcome)),
             agent_count: 1,
             ..sized()
         }
@@ -83,7 +75,7 @@ impl Results {
             reward: self.reward.as_mut_ptr(),
             terminated: flags(&mut self.terminated),
             truncated: flags(&mut self.truncated),
-            outcome: self.outcome.as_mut_ptr().cast(),
+            outcome: outcomes(&mut self.outcome),
             agent_count: agents,
             terms: self.terms.as_mut_ptr(),
             term_count: self.terms.len(),
@@ -113,7 +105,7 @@ pub struct BatchResults {
     pub was_reset: Vec<bool>,
     /// Of which worlds the final block was written.
     pub final_written: Vec<bool>,
-    /// With `MIMO_AUTORESET_SAME_STEP`: last observations of the episodes that ended. None: not wanted.
+    /// With [`Autoreset::SAME_STEP`](crate::Autoreset::SAME_STEP): last observations of the episodes that ended. None: not wanted.
     pub final_blocks: Option<Block>,
 }
 
@@ -143,7 +135,7 @@ impl BatchResults {
             reward: self.reward.as_mut_ptr(),
             terminated: flags(&mut self.terminated),
             truncated: flags(&mut self.truncated),
-            outcome: self.outcome.as_mut_ptr().cast(),
+            outcome: outcomes(&mut self.outcome),
             agent_count: agents,
             terms: self.terms.as_mut_ptr(),
             term_count: self.terms.len(),
@@ -164,7 +156,11 @@ fn same_length(expected: usize, lengths: &[usize]) -> Result<()> {
         return Ok(());
     }
     let message = format!("arrays of the results have lengths {:?}, expected {} each", lengths, expected);
-    Err(Error::new(Kind::InvalidArgument, message))
+    Err(Error::new(Status::INVALID_ARGUMENT, message))
+}
+
+fn outcomes(outcomes: &mut [Outcome]) -> *mut i32 {
+    outcomes.as_mut_ptr().cast()
 }
 
 /// The library writes 0 and 1, of which bools are made.

@@ -1,13 +1,9 @@
 //! Scenes: rooms, objects and infants.
-use crate::agent::AgentConfig;
-use crate::camera::Camera;
+use crate::configs::{AgentConfig, CameraConfig, FieldConfig, ModelConfig, ObjectConfig, SceneConfig};
 use crate::error::{c_string, check, text, Result};
-use crate::field_config::FieldConfig;
 use crate::limits::Limits;
 use crate::log::Log;
 use crate::maturity::Maturity;
-use crate::object::{Model, Object};
-use crate::scene_config::SceneConfig;
 use crate::structs::{defaults, pointer};
 use crate::sys;
 use crate::task::{self, Shared, Task};
@@ -94,7 +90,7 @@ impl Scene {
     }
 
     /// Adds an MJCF document with one body as an object.
-    pub fn add_model(&mut self, model: &Model) -> Result<()> {
+    pub fn add_model(&mut self, model: &ModelConfig) -> Result<()> {
         model.with_raw(|raw| check(unsafe { sys::mimo_scene_add_model(self.handle(), raw) }))
     }
 
@@ -119,7 +115,7 @@ impl Scene {
     }
 
     /// Adds an object.
-    pub fn add_object(&mut self, object: &Object) -> Result<()> {
+    pub fn add_object(&mut self, object: &ObjectConfig) -> Result<()> {
         object.with_raw(|raw| check(unsafe { sys::mimo_scene_add_object(self.handle(), raw) }))
     }
 
@@ -151,7 +147,7 @@ impl Scene {
     }
 
     /// Has a camera observed; its fields come after those of all infants.
-    pub fn add_camera(&mut self, camera: &Camera) -> Result<()> {
+    pub fn add_camera(&mut self, camera: &CameraConfig) -> Result<()> {
         camera.with_raw(|raw| check(unsafe { sys::mimo_scene_add_camera(self.handle(), raw) }))
     }
 

@@ -1,14 +1,13 @@
 //! Senses on a simulation that is not this library's.
 use crate::block::{memory, Block};
+use crate::configs::SensesConfig;
 use crate::error::{c_string, check, Result};
 use crate::layout::Layout;
-use crate::log::{self, Log, LogRecord};
+use crate::log::Log;
 use crate::reset::Reset;
 use crate::scene::Scene;
 use crate::state::LoadReport;
-use crate::structs::{defaults, pointer};
 use crate::sys;
-use std::ffi::CString;
 use std::os::raw::c_void;
 use std::ptr::{null_mut, NonNull};
 
@@ -23,79 +22,6 @@ pub struct Senses {
 // `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
 unsafe impl Send for Senses {}
 unsafe impl Sync for Senses {}
-
-/// What the host simulates with, and how it is to be looked at.
-#[derive(Clone, Debug)]
-pub struct SensesConfig {
-    raw: sys::mimo_senses_config,
-    renderer: Option<CString>,
-    log: Option<Log>,
-}
-
-// The pointers inside are set for the length of a call only.
-unsafe impl Send for SensesConfig {}
-unsafe impl Sync for SensesConfig {}
-
-impl SensesConfig {
-    /// Of a host whose `mj_version()` is this; pictures as those of worlds.
-    pub fn new(mujoco_version: i32) -> Result<SensesConfig> {
-        let raw = sys::mimo_senses_config { mujoco_version, ..defaults(sys::mimo_senses_config_init)? };
-        Ok(SensesConfig { raw, renderer: None, log: None })
-    }
-
-    fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_senses_config) -> R) -> R {
-        let mut raw = self.raw;
-        if self.renderer.is_some() {
-            raw.renderer = pointer(&self.renderer);
-        }
-        (raw.log, raw.log_user) = log::raw(&self.log);
-        use_it(&raw)
-    }
-
-    /// Sizes of the host's mjModel and mjData; 0 (default) where it cannot know.
-    pub fn sizes(&mut self, model: usize, data: usize) -> &mut Self {
-        self.raw.model_size = model;
-        self.raw.data_size = data;
-        self
-    }
-
-    /// Seconds between two calls of [`Senses::advance`]; 0 (default): the model's time step.
-    pub fn step(&mut self, seconds: f64) -> &mut Self {
-        self.raw.step = seconds;
-        self
-    }
-
-    /// "ray", "osmesa", "gl" (a graphics card), "auto", or "none": then eyes must be off.
-    pub fn renderer(&mut self, name: &str) -> Result<&mut Self> {
-        self.renderer = Some(c_string(name)?);
-        Ok(self)
-    }
-
-    /// `MIMO_RENDER_` bits: what pictures show.
-    pub fn render(&mut self, bits: u32) -> &mut Self {
-        self.raw.render = bits;
-        self
-    }
-
-    /// Samples a pixel for smooth edges: 1, 4, 16 or 64; 0: one ray, or what the model tells OpenGL.
-    pub fn samples(&mut self, samples: u32) -> &mut Self {
-        self.raw.samples = samples;
-        self
-    }
-
-    /// Threads that draw one picture, 1 to 64.
-    pub fn render_threads(&mut self, threads: u32) -> &mut Self {
-        self.raw.render_threads = threads;
-        self
-    }
-
-    /// Receives the library's messages while senses are attached, on the calling thread. A panic in it is caught and
-    /// dropped.
-    pub fn log(&mut self, log: impl Fn(&LogRecord) + Send + Sync + 'static) -> &mut Self {
-        self.log = Some(Log::new(log));
-        self
-    }
-}
 
 impl Senses {
     /// Attaches senses to a model; the scene describes the agents (with the body "scene"), their skin, the limits of

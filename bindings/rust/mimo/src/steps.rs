@@ -1,5 +1,6 @@
 //! How a world goes on.
 use crate::block::{memory, Block};
+use crate::constants::Quantity;
 use crate::error::{c_string, check, text, Result};
 use crate::reset::Reset;
 use crate::results::{Results, Step};
@@ -18,7 +19,7 @@ impl World {
     /// their bounds, NaN is refused. Without a block the senses are skipped. Where there are several agents, or terms of
     /// the reward are wanted, use [`step_into`](Self::step_into).
     pub fn step(&mut self, action: &[f32], block: Option<&mut Block>) -> Result<Step> {
-        let mut step = Step::default();
+        let mut step = Step::new();
         let raw = step.raw();
         self.step_raw(action, block, &raw)?;
         Ok(step)
@@ -88,7 +89,7 @@ impl World {
     /// One step of a movement that is known: frame_skip x positions of all joints, at the end of each physics step. The
     /// senses answer; gives frame_skip x the forces that it takes, one for each degree of freedom, N or Nm.
     pub fn follow(&mut self, positions: &[f64], block: Option<&mut Block>) -> Result<Vec<f64>> {
-        let degrees = self.get_all(sys::MIMO_JOINT_VELOCITY)?.len();
+        let degrees = self.get_all(Quantity::JOINT_VELOCITY)?.len();
         let mut forces = vec![0.0; self.frame_skip()? as usize * degrees];
         let movement = sys::mimo_movement {
             struct_size: std::mem::size_of::<sys::mimo_movement>() as u32,

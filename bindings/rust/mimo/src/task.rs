@@ -1,7 +1,7 @@
 //! Tasks of one's own, which run inside reset and step, in a batch on all of its threads.
-use crate::error::{c_string, Kind, Result};
-use crate::field::{Field, Type};
-use crate::results::Outcome;
+use crate::constants::{FieldType, Outcome, Status};
+use crate::error::{c_string, Result};
+use crate::field::Field;
 use crate::structs::defaults;
 use crate::sys;
 use crate::world::World;
@@ -40,7 +40,7 @@ impl Moment<'_> {
     pub fn f32(&self, field: &Field) -> Option<&[f32]> {
         let bytes = self.block?.get(field.bytes.clone())?;
         let aligned = bytes.as_ptr().align_offset(std::mem::align_of::<f32>()) == 0;
-        if field.dtype != Type::F32 || !aligned {
+        if field.dtype != FieldType::F32 || !aligned {
             return None;
         }
         Some(unsafe { std::slice::from_raw_parts(bytes.as_ptr() as *const f32, bytes.len() / 4) })
@@ -233,23 +233,23 @@ unsafe extern "C" fn evaluate(
     raw.reward = ours.reward;
     raw.goes_on = ours.goes_on.into();
     raw.truncated = ours.truncated.into();
-    raw.outcome = ours.outcome.0;
+    raw.outcome = ours.outcome.raw();
     status
 }
 
 /// A panic must not cross the C frames above.
 fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
     match catch_unwind(AssertUnwindSafe(work)) {
-        Ok(Ok(())) => sys::MIMO_OK as i32,
-        Ok(Err(error)) => fail(error.kind(), error.message()),
-        Err(panic) => fail(Kind::Task, &format!("panicked: {}", reason(panic.as_ref()))),
+        Ok(Ok(())) => sys::MIMO_OK,
+        Ok(Err(error)) => fail(error.status(), error.message()),
+        Err(panic) => fail(Status::TASK, &format!("panicked: {}", reason(panic.as_ref()))),
     }
 }
 
 /// The call that runs the task then says why.
-fn fail(kind: Kind, message: &str) -> sys::mimo_status {
+fn fail(status: Status, message: &str) -> sys::mimo_status {
     let message = c_string(&message.replace('\0', "?")).unwrap_or_default();
-    unsafe { sys::mimo_fail(kind.status(), message.as_ptr()) }
+    unsafe { sys::mimo_fail(status.raw(), message.as_ptr()) }
 }
 
 /// What a panic said: `panic!` leaves a text of one of two types.

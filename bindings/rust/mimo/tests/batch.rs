@@ -1,6 +1,5 @@
 //! Many worlds do what single ones do.
-use mimo::sys::{MIMO_AUTORESET_SAME_STEP, MIMO_BODY, MIMO_BODY_POSITION, MIMO_JOINT, MIMO_JOINT_VELOCITY};
-use mimo::{Batch, BatchConfig, BatchReset, Env, EnvConfig, Kind, Reset, Scene, Status};
+use mimo::{Autoreset, Batch, BatchConfig, BatchReset, Env, EnvConfig, Kind, Quantity, Reset, Scene, Status};
 
 fn reach(worlds: u32, steps: u32) -> Batch {
     let mut scene = Scene::builtin("reach").unwrap();
@@ -9,7 +8,7 @@ fn reach(worlds: u32, steps: u32) -> Batch {
     let mut env = EnvConfig::new().unwrap();
     env.max_steps(steps);
     let mut config = BatchConfig::new(worlds).unwrap();
-    config.threads(2).autoreset(MIMO_AUTORESET_SAME_STEP);
+    config.threads(2).autoreset(Autoreset::SAME_STEP);
     Batch::new(&scene, &env, &config).unwrap()
 }
 
@@ -53,10 +52,10 @@ fn final_blocks_are_of_the_old_episode() {
 fn quantities_of_all_worlds_and_errors() {
     let mut batch = reach(2, 0);
     batch.reset(BatchReset::new().seeds(&[1, 2]), None).unwrap();
-    let head = batch.world(1).unwrap().find(MIMO_BODY, "head").unwrap();
+    let head = batch.world(1).unwrap().find(Kind::BODY, "head").unwrap();
     let mut places = [0.0; 6];
-    batch.get_into(MIMO_BODY_POSITION, &[head], &mut places).unwrap();
-    assert_eq!(places[3..].to_vec(), batch.world(1).unwrap().get(MIMO_BODY_POSITION, &[head]).unwrap());
+    batch.get_into(Quantity::BODY_POSITION, &[head], &mut places).unwrap();
+    assert_eq!(places[3..].to_vec(), batch.world(1).unwrap().get(Quantity::BODY_POSITION, &[head]).unwrap());
 
     let count = batch.layout().unwrap().action_count();
     let mut actions = vec![0.0; 2 * count];
@@ -65,10 +64,10 @@ fn quantities_of_all_worlds_and_errors() {
     assert!(batch.step(&actions, None, &mut results).is_err());
     assert_eq!(batch.world_error(0), Ok(None));
     let refused = batch.world_error(1).unwrap().unwrap();
-    assert_eq!(refused.kind(), Kind::InvalidArgument);
+    assert_eq!(refused.status(), Status::INVALID_ARGUMENT);
     assert!(refused.message().contains("not a number"));
     results.terms.pop();
-    assert_eq!(batch.step(&[], None, &mut results).unwrap_err().kind(), Kind::BufferTooSmall);
+    assert_eq!(batch.step(&[], None, &mut results).unwrap_err().status(), Status::BUFFER_TOO_SMALL);
     results.outcome.pop();
     let error = batch.step(&[], None, &mut results).unwrap_err();
     assert_eq!(error.message(), "arrays of the results have lengths [2, 2, 1], expected 2 each");
@@ -137,10 +136,10 @@ fn worlds_fail_one_by_one() {
     let mut batch = reach(2, 0);
     let mut results = batch.new_results().unwrap();
     let world = batch.world(1).unwrap();
-    let elbow = world.find(MIMO_JOINT, "robot:left_elbow").unwrap();
-    world.set(MIMO_JOINT_VELOCITY, &[elbow], &[1e200]).unwrap();
-    assert_eq!(batch.step(&[], None, &mut results).unwrap_err().kind(), Kind::Simulation);
-    assert_eq!((results.status[0], results.status[1].error()), (Status::OK, Some(Kind::Simulation)));
-    assert_eq!(format!("{:?}", results.status), "[MIMO_OK, MIMO_E_SIMULATION]");
-    assert_eq!(batch.world_error(1).unwrap().unwrap().kind(), Kind::Simulation);
+    let elbow = world.find(Kind::JOINT, "robot:left_elbow").unwrap();
+    world.set(Quantity::JOINT_VELOCITY, &[elbow], &[1e200]).unwrap();
+    assert_eq!(batch.step(&[], None, &mut results).unwrap_err().status(), Status::SIMULATION);
+    assert_eq!(results.status, [Status::OK, Status::SIMULATION]);
+    assert_eq!(format!("{:?} {}", results.status, results.status[1]), "[OK, SIMULATION] MIMO_E_SIMULATION");
+    assert_eq!(batch.world_error(1).unwrap().unwrap().status(), Status::SIMULATION);
 }

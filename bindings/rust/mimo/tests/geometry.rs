@@ -1,6 +1,5 @@
 //! The world as an engine gets it.
-use mimo::sys::*;
-use mimo::{Axes, Detail, Env, Reset};
+use mimo::{Axes, Detail, Env, Kind, Quantity, Reset, TextureType};
 
 fn length(v: [f32; 3]) -> f32 {
     v.iter().map(|x| x * x).sum::<f32>().sqrt()
@@ -9,23 +8,23 @@ fn length(v: [f32; 3]) -> f32 {
 #[test]
 fn shapes_and_how_they_look() {
     let mut env = Env::make("benchmark").unwrap();
-    let head = env.find(MIMO_GEOM, "head").unwrap();
-    let radius = env.get(MIMO_GEOM_SIZE, &[head]).unwrap()[0] as f32;
-    let mesh = env.mesh(head, Axes::Unity, Detail::default()).unwrap();
+    let head = env.find(Kind::GEOM, "head").unwrap();
+    let radius = env.get(Quantity::GEOM_SIZE, &[head]).unwrap()[0] as f32;
+    let mesh = env.mesh(head, Axes::UNITY, Detail::default()).unwrap();
     let most = mesh.positions.iter().map(|&p| length(p)).fold(0.0, f32::max);
     assert!((most - radius).abs() < 1e-6, "{} {}", most, radius);
     assert!(mesh.positions.iter().all(|&p| length(p) > 0.98 * radius)); // cut between corners
     assert!(mesh.normals.iter().all(|&n| (length(n) - 1.0).abs() < 1e-5));
     assert_eq!(mesh.texcoords.len(), mesh.positions.len());
     assert!(mesh.triangles.iter().flatten().all(|&i| (i as usize) < mesh.positions.len()));
-    let error = env.mesh(head, Axes::Unity, Detail { segments: 6, ..Detail::default() }).unwrap_err();
+    let error = env.mesh(head, Axes::UNITY, Detail { segments: 6, ..Detail::default() }).unwrap_err();
     assert!(error.message().contains("segments is 6"), "{}", error);
 
     let before = env.appearance(head).unwrap();
     env.set_face(0, "surprise").unwrap();
     assert!(before.visible && before.texture != env.appearance(head).unwrap().texture);
     let texture = env.texture(before.texture.unwrap()).unwrap();
-    assert_eq!((texture.kind, texture.height), (MIMO_TEXTURE_CUBE as i32, 6 * texture.width));
+    assert_eq!((texture.kind, texture.height), (TextureType::CUBE, 6 * texture.width));
     assert_eq!(texture.pixels[3], 255);
     assert!(env.texture(env.texture_count().unwrap() as i32).is_err());
 }
@@ -35,21 +34,21 @@ fn shapes_and_how_they_look() {
 fn places_in_an_engine_s_frame() {
     let mut env = Env::make("benchmark").unwrap();
     env.reset(Reset::new().seed(1), None).unwrap();
-    let ours = env.poses(MIMO_BODY, Axes::Mimo).unwrap();
-    let unity = env.poses(MIMO_BODY, Axes::Unity).unwrap();
-    assert_eq!(ours.len(), env.count(MIMO_BODY).unwrap());
+    let ours = env.poses(Kind::BODY, Axes::MIMO).unwrap();
+    let unity = env.poses(Kind::BODY, Axes::UNITY).unwrap();
+    assert_eq!(ours.len(), env.count(Kind::BODY).unwrap());
     for (a, b) in ours.iter().zip(&unity) {
         assert_eq!([-a.position[1], a.position[2], a.position[0]], b.position);
         assert_eq!(a.rotation[0], b.rotation[3]);
     }
-    assert!(env.poses(MIMO_JOINT, Axes::Mimo).is_err());
+    assert!(env.poses(Kind::JOINT, Axes::MIMO).is_err());
     let (mut points, mut directions) = ([[1.0, 2.0, 3.0]], [[1.0, 2.0, 3.0]]);
-    mimo::convert_points(Axes::Unreal, &mut points).unwrap();
-    mimo::convert_directions(Axes::Unreal, &mut directions).unwrap();
+    mimo::convert_points(Axes::UNREAL, &mut points).unwrap();
+    mimo::convert_directions(Axes::UNREAL, &mut directions).unwrap();
     assert_eq!((points, directions), ([[100.0, -200.0, 300.0]], [[1.0, -2.0, 3.0]]));
-    let head = env.light(None, Axes::Godot).unwrap();
+    let head = env.light(None, Axes::GODOT).unwrap();
     assert!(head.directional && head.attenuation == [1.0, 0.0, 0.0]);
-    let lamp = env.light(Some(0), Axes::Mimo).unwrap();
-    let place = env.get(MIMO_LIGHT_POSITION | MIMO_NOW, &[0]).unwrap();
+    let lamp = env.light(Some(0), Axes::MIMO).unwrap();
+    let place = env.get(Quantity::LIGHT_POSITION.now(), &[0]).unwrap();
     assert!((0..3).all(|i| (f64::from(lamp.position[i]) - place[i]).abs() < 1e-6));
 }

@@ -1,11 +1,10 @@
 //! What infants hear: sounds that are played, and their own voice.
-use mimo::sys::{MIMO_HEARING_BANDS, MIMO_HEARING_EARS};
-use mimo::{Env, EnvConfig, Kind, Scene};
+use mimo::{Env, EnvConfig, Hearing, Scene, Status, Touch, Vision};
 
 fn listening() -> Env {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = scene.default_agent().unwrap();
-    agent.vision(0, 8, 8).touch(0, 1.0).hearing(MIMO_HEARING_EARS | MIMO_HEARING_BANDS).voice(true);
+    agent.vision(Vision::empty()).touch(Touch::empty()).hearing(Hearing::EARS | Hearing::BANDS).voice(true);
     scene.add_agent(&agent).unwrap();
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
@@ -43,6 +42,6 @@ fn infants_hear_what_is_played() {
     assert!(block.f32("hearing/ear_right").unwrap().iter().any(|&p| p > 0.1));
     assert!(block.f32("hearing/bands").unwrap().iter().any(|&level| level > 40.0));
     let error = env.play("head", &sound, 44100.0).unwrap_err();
-    assert_eq!(error.kind(), Kind::InvalidArgument);
+    assert_eq!(error.status(), Status::INVALID_ARGUMENT);
     assert!(error.message().contains("rate is 44100"), "{}", error);
 }

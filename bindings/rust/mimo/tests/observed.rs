@@ -1,6 +1,8 @@
 //! What is observed: the layout, times of fields, fields on request.
-use mimo::sys::*;
-use mimo::{Env, EnvConfig, FieldConfig, Growth, Kind, Layout, Limits, Maturity, Object, Reset, Scene, Type};
+use mimo::{
+    Env, EnvConfig, FieldConfig, FieldType, Growth, Kind, Layout, Limits, Mature, Maturity, ObjectConfig,
+    Quantity, Reset, Scene, Shape, Status, Touch, Vestibular, Vision,
+};
 
 fn world(scene: &Scene) -> Env {
     Env::new(scene, &EnvConfig::new().unwrap()).unwrap()
@@ -19,8 +21,8 @@ fn fields_follow_each_other_in_the_block() {
     let mut free = 0;
     for field in layout.fields().unwrap() {
         let size = match field.dtype {
-            Type::U8 => 1,
-            Type::F64 => 8,
+            FieldType::U8 => 1,
+            FieldType::F64 => 8,
             _ => 4,
         };
         assert_eq!(
@@ -32,7 +34,7 @@ fn fields_follow_each_other_in_the_block() {
     }
     assert!(free <= layout.block_bytes() && layout.block_bytes() % 64 == 0);
     let error = layout.find("touch/farce").unwrap_err();
-    assert_eq!(error.kind(), Kind::NotFound);
+    assert_eq!(error.status(), Status::NOT_FOUND);
     assert!(error.message().contains("touch/force"), "{}", error);
     assert!(layout.field(99).is_err());
 }
@@ -44,7 +46,7 @@ fn fields_say_when_they_are_true() {
     let times = |limits: &Limits| {
         let mut scene = Scene::builtin("reach").unwrap();
         let mut agent = scene.default_agent().unwrap();
-        scene.add_agent(agent.vestibular(MIMO_VESTIBULAR_ACCELERATION)).unwrap();
+        scene.add_agent(agent.vestibular(Vestibular::ACCELERATION)).unwrap();
         scene.limit_sense(0, "proprioception/position", limits).unwrap();
         scene.limit_sense(0, "vestibular", limits).unwrap();
         let env = world(&scene);
@@ -69,11 +71,11 @@ fn nerves_are_as_late_as_the_infant_is_old() {
     assert_eq!((newborn.acuity, newborn.chroma), (0.70, 0.0));
     assert_eq!(Maturity::of_age(24.0).unwrap().acuity, 11.1);
     assert!(Maturity::of_age(25.0).unwrap_err().message().contains("age is 25"));
-    let build = |bits: u32, maturity: Option<&Maturity>| {
+    let build = |mature: Mature, maturity: Option<&Maturity>| {
         let mut scene = Scene::builtin("free").unwrap();
         let mut agent = scene.default_agent().unwrap();
         let mut growth = Growth::of_age(0.0).unwrap();
-        agent.vision(0, 1, 1).touch(0, 1.0).growth(*growth.maturity(bits));
+        agent.vision(Vision::empty()).touch(Touch::empty()).growth(*growth.maturity(mature));
         scene.add_agent(&agent).unwrap();
         scene.set_maturity(0, maturity).unwrap();
         world(&scene)
@@ -82,24 +84,24 @@ fn nerves_are_as_late_as_the_infant_is_old() {
         let layout = env.layout().unwrap();
         layout.delays(index(&layout, field)).unwrap()
     };
-    let mut env = build(MIMO_MATURITY_ALL, None);
+    let mut env = build(Mature::ALL, None);
     assert_eq!(delays(&env, "vestibular/acceleration"), [newborn.vestibular_delay; 3]);
     let late = delays(&env, "proprioception/limit");
     for (label, seconds) in labels(&env.layout().unwrap(), "proprioception/limit").iter().zip(&late) {
-        let body = env.body_of(MIMO_JOINT, env.find(MIMO_JOINT, label).unwrap()).unwrap();
-        let length = env.get(MIMO_BODY_NERVE_LENGTH, &[body]).unwrap()[0];
+        let body = env.body_of(Kind::JOINT, env.find(Kind::JOINT, label).unwrap()).unwrap();
+        let length = env.get(Quantity::BODY_NERVE_LENGTH, &[body]).unwrap()[0];
         let exact = length / newborn.conduction_speed + newborn.sensory_delay;
         assert!((seconds - exact).abs() < 0.0025 + 1e-9, "{}: {} and {}", label, seconds, exact);
     }
     let mut older = Growth::of_age(18.0).unwrap();
-    older.maturity(MIMO_MATURITY_ALL);
+    older.maturity(Mature::ALL);
     env.reset(Reset::new().ages(&[Some(older)]), None).unwrap();
     assert!(delays(&env, "proprioception/limit").iter().sum::<f64>() < late.iter().sum());
-    assert_eq!(delays(&build(MIMO_MATURITY_EYES, None), "vestibular/acceleration"), [0.0; 3]);
+    assert_eq!(delays(&build(Mature::EYES, None), "vestibular/acceleration"), [0.0; 3]);
     let slow = Maturity { vestibular_delay: 0.1, ..Maturity::default() };
-    assert_eq!(delays(&build(MIMO_MATURITY_ALL, Some(&slow)), "vestibular/acceleration"), [0.1; 3]);
+    assert_eq!(delays(&build(Mature::ALL, Some(&slow)), "vestibular/acceleration"), [0.1; 3]);
     let error = Scene::builtin("free").unwrap().set_maturity(0, Some(&newborn)).unwrap_err();
-    assert_eq!(error.kind(), Kind::InvalidArgument);
+    assert_eq!(error.status(), Status::INVALID_ARGUMENT);
 }
 
 fn labels(layout: &Layout, field: &str) -> Vec<String> {
@@ -113,8 +115,8 @@ fn elements_and_actions_have_names() {
     let joints = labels(&env.layout().unwrap(), "proprioception/position");
     // A joint with another angle each: what is set by its name stands where its label says.
     for (i, label) in joints.iter().enumerate() {
-        let joint = env.find(MIMO_JOINT, label).unwrap();
-        env.set(MIMO_JOINT_POSITION, &[joint], &[0.001 * i as f64]).unwrap();
+        let joint = env.find(Kind::JOINT, label).unwrap();
+        env.set(Quantity::JOINT_POSITION, &[joint], &[0.001 * i as f64]).unwrap();
     }
     env.observe(&mut block).unwrap();
     let expected: Vec<f32> = (0..joints.len()).map(|i| (0.001 * i as f64) as f32).collect();
@@ -136,22 +138,22 @@ fn elements_and_actions_have_names() {
 #[test]
 fn more_is_observed_on_request() {
     let mut scene = Scene::empty().unwrap();
-    scene.add_object(Object::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
-    let mut block = Object::new("box").unwrap();
+    scene.add_object(ObjectConfig::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
+    let mut block = ObjectConfig::new("box").unwrap();
     let half = std::f64::consts::FRAC_1_SQRT_2;
-    block.shape(MIMO_SHAPE_BOX, [0.1; 3]).mass(0.5).fixed(true);
+    block.shape(Shape::BOX).size([0.1; 3]).mass(0.5).fixed(true);
     scene.add_object(block.position([1.0, 0.0, 0.0]).orientation([half, 0.0, 0.0, half])).unwrap();
 
-    let place = |name| FieldConfig::new(name, MIMO_BODY_POSITION | MIMO_NOW, &["ball"]).unwrap();
+    let place = |name| FieldConfig::new(name, Quantity::BODY_POSITION.now(), &["ball"]).unwrap();
     scene.add_field(&place("ball/world")).unwrap();
     scene.add_field(place("ball/box").relative_to("box").unwrap()).unwrap();
-    let velocity = FieldConfig::new("velocity", MIMO_BODY_VELOCITY | MIMO_NOW, &["ball", "box"]).unwrap();
+    let velocity = FieldConfig::new("velocity", Quantity::BODY_VELOCITY.now(), &["ball", "box"]).unwrap();
     scene.add_field(&velocity).unwrap();
-    scene.add_field(&FieldConfig::new("mass", MIMO_BODY_MASS, &["box", "ball"]).unwrap()).unwrap();
-    scene.add_field(&FieldConfig::new("gravity", MIMO_WORLD_GRAVITY, &[]).unwrap()).unwrap();
-    assert_eq!(scene.add_field(&place("ball/box")).unwrap_err().kind(), Kind::InvalidArgument);
-    let unknown = FieldConfig::new("unknown", 9999, &["ball"]).unwrap();
-    assert_eq!(scene.add_field(&unknown).unwrap_err().kind(), Kind::Unsupported);
+    scene.add_field(&FieldConfig::new("mass", Quantity::BODY_MASS, &["box", "ball"]).unwrap()).unwrap();
+    scene.add_field(&FieldConfig::new("gravity", Quantity::WORLD_GRAVITY, &[]).unwrap()).unwrap();
+    assert_eq!(scene.add_field(&place("ball/box")).unwrap_err().status(), Status::INVALID_ARGUMENT);
+    let unknown = FieldConfig::new("unknown", Quantity::from_raw(9999), &["ball"]).unwrap();
+    assert_eq!(scene.add_field(&unknown).unwrap_err().status(), Status::UNSUPPORTED);
 
     let mut env = world(&scene);
     let (mut block, mut results) = (env.new_block().unwrap(), env.new_results().unwrap());
@@ -182,9 +184,9 @@ fn more_is_observed_on_request() {
     };
     assert_eq!(shape("velocity"), (vec![2, 6], 0.0, 0.0));
     assert_eq!(shape("mass").0, [2]);
-    scene.add_field(&FieldConfig::new("cup", MIMO_BODY_MASS, &["cup"]).unwrap()).unwrap();
+    scene.add_field(&FieldConfig::new("cup", Quantity::BODY_MASS, &["cup"]).unwrap()).unwrap();
     let error = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap_err();
-    assert!(error.kind() == Kind::NotFound && error.message().contains("ball"), "{}", error);
+    assert!(error.status() == Status::NOT_FOUND && error.message().contains("ball"), "{}", error);
 }
 
 /// Reach is rewarded by minus the distance of what it wants and what is so far: the ball, and the fingers.
@@ -192,10 +194,10 @@ fn more_is_observed_on_request() {
 fn goals_are_quantities_of_agents() {
     let mut env = Env::make("reach").unwrap();
     env.reset(Reset::new().seed(3), None).unwrap();
-    let ids = ["target", "right_fingers"].map(|name| env.find(MIMO_BODY, name).unwrap());
-    let places = env.get(MIMO_BODY_POSITION, &ids).unwrap();
-    assert_eq!(env.get(MIMO_AGENT_GOAL, &[0]).unwrap(), places[..3]);
-    assert_eq!(env.get(MIMO_AGENT_ACHIEVED, &[0]).unwrap(), places[3..]);
-    let site = env.count(MIMO_SITE).unwrap() as i32 - 1;
-    assert_eq!(env.width(MIMO_SITE_VELOCITY, &[site]), Ok(6));
+    let ids = ["target", "right_fingers"].map(|name| env.find(Kind::BODY, name).unwrap());
+    let places = env.get(Quantity::BODY_POSITION, &ids).unwrap();
+    assert_eq!(env.get(Quantity::AGENT_GOAL, &[0]).unwrap(), places[..3]);
+    assert_eq!(env.get(Quantity::AGENT_ACHIEVED, &[0]).unwrap(), places[3..]);
+    let site = env.count(Kind::SITE).unwrap() as i32 - 1;
+    assert_eq!(env.width(Quantity::SITE_VELOCITY, &[site]), Ok(6));
 }

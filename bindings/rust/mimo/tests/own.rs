@@ -1,8 +1,7 @@
 //! Tasks of one's own, locks, gravity, random numbers.
-use mimo::sys::*;
 use mimo::{
-    AgentConfig, Batch, BatchConfig, BatchReset, Env, EnvConfig, Error, Kind, Moment, Outcome, Reset, Result,
-    Scene, Task, TaskField, Verdict, World,
+    Act, AgentConfig, Batch, BatchConfig, BatchReset, Env, EnvConfig, Error, Kind, Moment, Outcome, Place,
+    Quantity, Reset, Result, Scene, Status, Task, TaskField, Touch, Verdict, Vestibular, Vision, World,
 };
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::Arc;
@@ -26,8 +25,8 @@ impl Task for Counter {
     fn reset(&self, world: &mut World, moment: &mut Moment) -> Result<()> {
         assert_eq!(moment.memory, [0.0, 0.0]);
         world.random(&mut moment.memory[1..])?;
-        let joint = world.find(MIMO_JOINT, "robot:left_elbow")?;
-        world.set(MIMO_JOINT_POSITION, &[joint], &[-0.5 - 0.1 * moment.world as f64])
+        let joint = world.find(Kind::JOINT, "robot:left_elbow")?;
+        world.set(Quantity::JOINT_POSITION, &[joint], &[-0.5 - 0.1 * moment.world as f64])
     }
 
     fn evaluate(&self, world: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()> {
@@ -46,7 +45,7 @@ impl Task for Counter {
 fn scene(task: impl Task + 'static) -> Scene {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = scene.default_agent().unwrap();
-    agent.vision(0, 8, 8).touch(0, 1.0);
+    agent.vision(Vision::empty()).touch(Touch::empty());
     scene.add_agent(&agent).unwrap();
     scene.set_task(task).unwrap();
     scene
@@ -72,9 +71,9 @@ fn own_task_rewards_and_ends() {
     assert_eq!((step.reward, step.terminated, step.outcome), (3.0, true, Outcome::SUCCESS));
 
     batch.reset(BatchReset::new().seeds(&[1, 2]), None).unwrap();
-    let joint = batch.world(0).unwrap().find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    let joint = batch.world(0).unwrap().find(Kind::JOINT, "robot:left_elbow").unwrap();
     let mut angles = [0.0; 2];
-    batch.get_into(MIMO_JOINT_POSITION, &[joint], &mut angles).unwrap();
+    batch.get_into(Quantity::JOINT_POSITION, &[joint], &mut angles).unwrap();
     assert_eq!(angles, [-0.5, -0.6]);
     let mut results = batch.new_results().unwrap();
     let meanwhile = batch.step_while(&[], None, &mut results, || 41 + 1).unwrap();
@@ -92,24 +91,27 @@ fn scenes_are_built() {
     scene.set_room("playroom").unwrap();
     assert!(scene.set_room("playroom").is_err());
     let mut agent = scene.default_agent().unwrap();
-    agent.vision(0, 8, 8).touch(0, 1.0);
+    agent.vision(Vision::empty()).touch(Touch::empty());
     assert_eq!(scene.add_agents(Some(&agent)), Ok(1));
-    let mut cup = mimo::Model::xml("cup", CUP).unwrap();
-    scene.add_model(cup.place([1.0, 0.5, 0.5], [1.0, 0.0, 0.0, 0.0])).unwrap();
+    let mut cup = mimo::ModelConfig::xml("cup", CUP).unwrap();
+    scene.add_model(cup.position([1.0, 0.5, 0.5])).unwrap();
     scene.weld("cup", None, None).unwrap();
     scene.lock("robot:left_elbow", -0.5).unwrap();
     scene.set_pose("robot:right_elbow", -0.7).unwrap();
     let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
     env.reset(Reset::new().seed(1), None).unwrap();
-    let joints = ["robot:left_elbow", "robot:right_elbow"].map(|name| env.find(MIMO_JOINT, name).unwrap());
-    assert_eq!(env.get(MIMO_JOINT_POSITION, &joints).unwrap(), [-0.5, -0.7]);
+    let joints = ["robot:left_elbow", "robot:right_elbow"].map(|name| env.find(Kind::JOINT, name).unwrap());
+    assert_eq!(env.get(Quantity::JOINT_POSITION, &joints).unwrap(), [-0.5, -0.7]);
     assert_eq!(env.locked(joints[0]).unwrap(), Some(-0.5));
-    assert_eq!(env.body_of(MIMO_GEOM, env.find(MIMO_GEOM, "cup/side").unwrap()), env.find(MIMO_BODY, "cup"));
+    assert_eq!(
+        env.body_of(Kind::GEOM, env.find(Kind::GEOM, "cup/side").unwrap()),
+        env.find(Kind::BODY, "cup")
+    );
     for _ in 0..50 {
         env.step(&[], None).unwrap();
     }
-    let cup = env.find(MIMO_BODY, "cup").unwrap();
-    assert!(env.get(MIMO_BODY_POSITION, &[cup]).unwrap()[2] > 0.45); // it would be on the floor otherwise
+    let cup = env.find(Kind::BODY, "cup").unwrap();
+    assert!(env.get(Quantity::BODY_POSITION, &[cup]).unwrap()[2] > 0.45); // it would be on the floor otherwise
 }
 
 /// Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces that meet (J Appl Physiol 1957;11:211 has skin's
@@ -126,9 +128,9 @@ fn metal_feels_colder_than_wood() {
             .unwrap()
             .root("arm")
             .unwrap()
-            .vision(0, 8, 8)
-            .vestibular(0)
-            .touch(MIMO_TOUCH_TEMPERATURE, 1.0);
+            .vision(Vision::empty())
+            .vestibular(Vestibular::empty())
+            .touch(Touch::TEMPERATURE);
         scene.add_agent(&agent).unwrap();
         scene.set_touch(0, "arm", 0.05).unwrap();
         scene.set_temperature("table", 10.0).unwrap();
@@ -184,7 +186,7 @@ fn limited_senses() {
     assert!((shaky[4][0] / plain[4][0] - 1.0).abs() < 0.6);
     let error =
         Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::default()).unwrap_err();
-    assert_eq!(error.kind(), Kind::InvalidArgument);
+    assert_eq!(error.status(), Status::INVALID_ARGUMENT);
 }
 
 /// Motors get half of what they are told, two steps late; a state tells what it lacks of that.
@@ -204,10 +206,10 @@ fn limited_motors() {
     let mut plain = build(None);
     let mut late = build(Some(mimo::Limits { gain: 0.5, delay: 0.02, ..mimo::Limits::default() }));
     let action = vec![0.5; late.layout().unwrap().action_count()];
-    let motors = ["act:left_elbow", "act:right_elbow"].map(|name| late.find(MIMO_ACTUATOR, name).unwrap());
+    let motors = ["act:left_elbow", "act:right_elbow"].map(|name| late.find(Kind::ACTUATOR, name).unwrap());
     for expected in [[0.0, 0.5], [0.0, 0.5], [0.25, 0.5]] {
         late.step(&action, None).unwrap();
-        assert_eq!(late.get(MIMO_ACTUATOR_CONTROL, &motors).unwrap(), expected);
+        assert_eq!(late.get(Quantity::ACTUATOR_CONTROL, &motors).unwrap(), expected);
     }
     let report = plain.load(&late.save().unwrap()).unwrap();
     assert_eq!((report.fresh, report.ignored), (vec![], vec!["agent/motor delay".to_string()]));
@@ -220,14 +222,21 @@ fn limited_motors() {
 fn senses_refuse_what_is_no_model() {
     let mut scene = Scene::empty().unwrap();
     let mut agent = mimo::AgentConfig::new().unwrap();
-    agent.body("scene").unwrap().root("world").unwrap().vestibular_at("head").unwrap().vision(0, 8, 8);
+    agent
+        .body("scene")
+        .unwrap()
+        .root("world")
+        .unwrap()
+        .vestibular_at("head")
+        .unwrap()
+        .vision(Vision::empty());
     scene.add_agent(&agent).unwrap();
     let attach = |version| {
         let config = mimo::SensesConfig::new(version).unwrap();
         unsafe { mimo::Senses::attach(&scene, std::ptr::null(), &config) }
     };
-    assert_eq!(attach(222).err().unwrap().kind(), Kind::InvalidArgument);
-    assert_eq!(attach(999).err().unwrap().kind(), Kind::Unsupported);
+    assert_eq!(attach(222).err().unwrap().status(), Status::INVALID_ARGUMENT);
+    assert_eq!(attach(999).err().unwrap().status(), Status::UNSUPPORTED);
 }
 
 /// Two terms, a goal that each episode draws, a success that goes on, a cut after five steps.
@@ -340,10 +349,12 @@ fn two_infants_have_results_of_their_own() {
     let mut scene = Scene::builtin("free").unwrap();
     for (name, y) in [("anna", 0.5), ("ben", -0.5)] {
         let mut agent = mimo::AgentConfig::new().unwrap();
-        agent.name(name).unwrap().vision(0, 8, 8).touch(0, 1.0);
+        agent.name(name).unwrap().vision(Vision::empty()).touch(Touch::empty());
         agent
-            .place([0.0, y, 0.5], [1.0, 0.0, 0.0, 0.0])
-            .acts([MIMO_ACT_EYES, MIMO_ACT_LEFT_ARM][(y < 0.0) as usize]);
+            .place(Place::ROOT)
+            .position([0.0, y, 0.5])
+            .orientation([1.0, 0.0, 0.0, 0.0])
+            .acts([Act::EYES, Act::LEFT_ARM][(y < 0.0) as usize]);
         scene.add_agent(&agent).unwrap();
     }
     scene.set_task(Points).unwrap();
@@ -366,7 +377,7 @@ fn two_infants_have_results_of_their_own() {
     assert_eq!(results.outcome, [Outcome::FAILURE, Outcome::NONE]);
     assert_eq!(results.terminated, [true, false]);
     assert!(env.step(&[], None).unwrap_err().message().contains("agent_count is 1"));
-    assert_eq!(env.agent(2).unwrap_err().kind(), Kind::InvalidArgument);
+    assert_eq!(env.agent(2).unwrap_err().status(), Status::INVALID_ARGUMENT);
 }
 
 #[test]
@@ -390,7 +401,7 @@ struct Broken(u32);
 impl Task for Broken {
     fn evaluate(&self, _: &mut World, _: &mut Moment, _: &mut Verdict) -> Result<()> {
         match self.0 {
-            0 => Err(Error::new(Kind::Unsupported, "not today")),
+            0 => Err(Error::new(Status::UNSUPPORTED, "not today")),
             _ => panic!("dropped at the border"),
         }
     }
@@ -402,14 +413,14 @@ fn errors_and_panics_of_tasks_are_errors_of_the_step() {
     for (number, why) in (0..).zip(says) {
         let mut env = Env::new(&scene(Broken(number)), &EnvConfig::new().unwrap()).unwrap();
         let error = env.step(&[], None).unwrap_err();
-        assert_eq!(error.kind(), Kind::Task);
+        assert_eq!(error.status(), Status::TASK);
         assert!(error.message().ends_with(why), "{}", error);
 
         let (scene, config) = (scene(Broken(number)), BatchConfig::new(2).unwrap());
         let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &config).unwrap();
         let mut results = batch.new_results().unwrap();
         let error = batch.step(&[], None, &mut results).unwrap_err();
-        assert!(error.kind() == Kind::Task && error.message().ends_with(why), "{}", error);
+        assert!(error.status() == Status::TASK && error.message().ends_with(why), "{}", error);
         assert!(batch.world_error(1).unwrap().unwrap().message().ends_with(why));
     }
     let mut scene = scene(Broken(1));
@@ -436,7 +447,7 @@ fn panic_while_stepping_receives() {
 #[test]
 fn locks_and_gravity_are_of_one_world() {
     let mut env = Env::make("benchmark").unwrap();
-    let elbow = env.find(MIMO_JOINT, "robot:left_elbow").unwrap();
+    let elbow = env.find(Kind::JOINT, "robot:left_elbow").unwrap();
     assert_eq!(env.locked(elbow).unwrap(), None);
     env.lock(elbow, -0.5).unwrap();
     env.set_gravity([0.0, 0.0, -1.6]).unwrap();
@@ -457,21 +468,21 @@ const BALL: &str = r#"<mujoco><option timestep="0.005"/><worldbody><geom type="p
 fn masses_differ_from_world_to_world() {
     let scene = Scene::xml(BALL).unwrap();
     let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(3).unwrap()).unwrap();
-    let ball = batch.world(0).unwrap().find(MIMO_BODY, "ball").unwrap();
+    let ball = batch.world(0).unwrap().find(Kind::BODY, "ball").unwrap();
     let masses = [0.5, 1.0, 4.0];
-    batch.set(MIMO_BODY_MASS, &[ball], &masses).unwrap();
-    batch.set(MIMO_WORLD_GRAVITY, &[0], &[0.0; 9]).unwrap();
-    batch.set(MIMO_BODY_FORCE, &[ball], &[3.0, 0.0, 0.0, 0.0, 0.0, 0.0].repeat(3)).unwrap();
+    batch.set(Quantity::BODY_MASS, &[ball], &masses).unwrap();
+    batch.set(Quantity::WORLD_GRAVITY, &[0], &[0.0; 9]).unwrap();
+    batch.set(Quantity::BODY_FORCE, &[ball], &[3.0, 0.0, 0.0, 0.0, 0.0, 0.0].repeat(3)).unwrap();
     let mut results = batch.new_results().unwrap();
     for _ in 0..10 {
         batch.step(&[], None, &mut results).unwrap();
     }
     let mut velocity = [0.0f32; 18];
-    batch.get_f32_into(MIMO_BODY_VELOCITY | MIMO_NOW, &[ball], &mut velocity).unwrap();
+    batch.get_f32_into(Quantity::BODY_VELOCITY.now(), &[ball], &mut velocity).unwrap();
     for (world, mass) in masses.iter().enumerate() {
         assert!((velocity[6 * world] as f64 - 3.0 / mass * 10.0 * 2.0 * 0.005).abs() < 1e-6);
     }
-    assert!(batch.set(MIMO_BODY_MASS, &[ball], &[0.0; 3]).unwrap_err().message().contains("above 0"));
+    assert!(batch.set(Quantity::BODY_MASS, &[ball], &[0.0; 3]).unwrap_err().message().contains("above 0"));
 }
 
 #[test]
@@ -482,9 +493,9 @@ fn contacts_within_a_step_change_the_momentum() {
     let mut env = Env::new(&scene, &config).unwrap();
     let mut touched = false;
     for _ in 0..10 {
-        let before = env.get(MIMO_JOINT_VELOCITY, &[0]).unwrap()[2];
+        let before = env.get(Quantity::JOINT_VELOCITY, &[0]).unwrap()[2];
         env.step(&[], None).unwrap();
-        let change = 2.0 * (env.get(MIMO_JOINT_VELOCITY, &[0]).unwrap()[2] - before);
+        let change = 2.0 * (env.get(Quantity::JOINT_VELOCITY, &[0]).unwrap()[2] - before);
         let contacts = env.step_contacts().unwrap();
         let impulse: f64 = contacts.iter().map(|contact| contact.impulse[2]).sum();
         assert!((impulse - 2.0 * 9.81 * 0.1 - change).abs() < 1e-9);

@@ -1,6 +1,7 @@
 //! What a program does with a world is recorded, and played again bit for bit.
-use mimo::sys::MIMO_HEARING_EARS;
-use mimo::{Env, EnvConfig, Growth, Kind, Recorder, RecorderConfig, Recording, Reset, Scene};
+use mimo::{
+    Env, EnvConfig, Growth, Hearing, Recorder, RecorderConfig, Recording, Reset, Scene, Status, Touch, Vision,
+};
 
 fn path(name: &str) -> String {
     let file = format!("mimo_rust_{}_{}.h5", std::process::id(), name);
@@ -10,7 +11,7 @@ fn path(name: &str) -> String {
 fn world() -> Env {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = scene.default_agent().unwrap();
-    agent.vision(0, 8, 8).touch(0, 1.0).hearing(MIMO_HEARING_EARS);
+    agent.vision(Vision::empty()).touch(Touch::empty()).hearing(Hearing::EARS);
     scene.add_agent(&agent).unwrap();
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
@@ -20,7 +21,7 @@ fn record(env: &mut Env, path: &str) -> Option<Recorder> {
     let mut config = RecorderConfig::new().unwrap();
     config.keep("hearing/ear_left").unwrap().state_seconds(0.1).configuration("{}").unwrap().seed(7);
     match Recorder::open(env, path, &config) {
-        Err(error) if error.kind() == Kind::Unsupported => None,
+        Err(error) if error.status() == Status::UNSUPPORTED => None,
         opened => Some(opened.unwrap()),
     }
 }
@@ -32,7 +33,7 @@ fn a_program_is_played_again() {
     let mut block = env.new_block().unwrap();
     let Some(mut recorder) = record(&mut env, &path) else { return };
     let second = Recorder::open(&mut env, &path, &RecorderConfig::new().unwrap());
-    assert_eq!(second.err().unwrap().kind(), Kind::Busy); // it is being recorded already
+    assert_eq!(second.err().unwrap().status(), Status::BUSY); // it is being recorded already
     let action = vec![0.3; env.layout().unwrap().action_count()];
     env.play("head", &[0.1; 160], 16000.0).unwrap();
     for _ in 0..5 {
@@ -60,7 +61,7 @@ fn a_program_is_played_again() {
     let heard: Vec<f32> = recording.read("fields/hearing/ear_left", 0, 10).unwrap();
     assert!(heard[..800].iter().any(|pressure| pressure.abs() > 0.05)); // 0.1 Pa at 1 m
     assert_eq!(heard[1440..], *block.f32("hearing/ear_left").unwrap());
-    assert_eq!(recording.read::<f64>("time", 9, 2).unwrap_err().kind(), Kind::InvalidArgument);
+    assert_eq!(recording.read::<f64>("time", 9, 2).unwrap_err().status(), Status::INVALID_ARGUMENT);
     std::fs::remove_file(path).unwrap();
 }
 
@@ -73,7 +74,7 @@ fn a_recording_stays_unless_asked() {
     recorder.close().unwrap();
     let mut config = RecorderConfig::new().unwrap();
     let error = Recorder::open(&mut env, &path, &config).unwrap_err();
-    assert_eq!(error.kind(), Kind::File);
+    assert_eq!(error.status(), Status::FILE);
     assert!(error.message().contains("only where `replace` is set"), "{}", error);
     assert_eq!(Recording::open(&path, None).unwrap().info().unwrap().steps, 1);
     config.replace(true);
@@ -86,7 +87,7 @@ fn a_recording_stays_unless_asked() {
 fn what_is_no_recording() {
     let path = path("none");
     let error = Recording::open(&path, None).unwrap_err();
-    assert!(matches!(error.kind(), Kind::NotFound | Kind::Unsupported), "{}", error);
+    assert!(matches!(error.status(), Status::NOT_FOUND | Status::UNSUPPORTED), "{}", error);
     let mut env = world();
     let Some(first) = record(&mut env, &path) else { return };
     assert!(Recorder::open(&mut env, &path, &RecorderConfig::new().unwrap())

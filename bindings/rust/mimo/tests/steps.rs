@@ -1,12 +1,14 @@
 //! How worlds go on, what rewards consist of, where time goes, and what there is by name.
-use mimo::sys::{MIMO_BODY, MIMO_BODY_POSITION, MIMO_DISABLE_GRAVITY, MIMO_JOINT, MIMO_JOINT_POSITION};
-use mimo::{Batch, BatchConfig, Env, EnvConfig, Kind, Object, PictureConfig, Reset, Scene, Timing};
+use mimo::{
+    Batch, BatchConfig, Disable, Env, EnvConfig, Kind, ObjectConfig, PictureConfig, Quantity, Reset, Scene,
+    Status, Timing, Touch, Vision,
+};
 use std::time::Duration;
 
 /// A ball at a height of 2 m in an empty world.
 fn ball(config: &EnvConfig) -> Env {
     let mut scene = Scene::empty().unwrap();
-    scene.add_object(Object::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
+    scene.add_object(ObjectConfig::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
     Env::new(&scene, config).unwrap()
 }
 
@@ -30,26 +32,30 @@ fn worlds_know_their_task_and_time_steps() {
 #[test]
 fn bare_physics_steps_are_counted() {
     let mut env = ball(&EnvConfig::new().unwrap());
-    let joint = env.find(MIMO_JOINT, "ball").unwrap();
+    let joint = env.find(Kind::JOINT, "ball").unwrap();
     env.physics_step(7).unwrap();
     env.physics_step(0).unwrap();
-    let height = env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[2];
+    let height = env.get(Quantity::JOINT_POSITION, &[joint]).unwrap()[2];
     assert!((height - (2.0 - 9.81 * 0.005 * 0.005 * 28.0)).abs() < 1e-12, "{}", height);
-    assert_eq!(env.physics_step(1_000_001).unwrap_err().kind(), Kind::InvalidArgument);
+    assert_eq!(env.physics_step(1_000_001).unwrap_err().status(), Status::INVALID_ARGUMENT);
 }
 
 /// A ball without gravity stays where it is; unknown bits are refused.
 #[test]
 fn parts_of_physics_are_left_out() {
     let mut config = EnvConfig::new().unwrap();
-    config.disable(MIMO_DISABLE_GRAVITY);
+    config.disable(Disable::GRAVITY);
     let mut env = ball(&config);
     env.physics_step(20).unwrap();
-    let joint = env.find(MIMO_JOINT, "ball").unwrap();
-    assert_eq!(env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[2], 2.0);
-    config.disable(0x80);
+    let joint = env.find(Kind::JOINT, "ball").unwrap();
+    assert_eq!(env.get(Quantity::JOINT_POSITION, &[joint]).unwrap()[2], 2.0);
+    config.disable(Disable::from_raw(0x80));
     let refused = Env::new(&Scene::empty().unwrap(), &config).err().unwrap();
-    assert!(refused.kind() == Kind::Unsupported && refused.to_string().contains("disable"), "{}", refused);
+    assert!(
+        refused.status() == Status::UNSUPPORTED && refused.to_string().contains("disable"),
+        "{}",
+        refused
+    );
 }
 
 /// Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms (docs/tasks.md).
@@ -62,8 +68,8 @@ fn rewards_consist_of_terms() {
     let terms = env.layout().unwrap().terms().unwrap();
     assert_eq!(terms.iter().map(|term| term.name.as_str()).collect::<Vec<_>>(), ["distance", "success"]);
     assert_eq!(results.terms.iter().sum::<f64>(), results.reward[0]);
-    let ids = ["right_fingers", "target"].map(|name| env.find(MIMO_BODY, name).unwrap());
-    let at = env.get(MIMO_BODY_POSITION, &ids).unwrap();
+    let ids = ["right_fingers", "target"].map(|name| env.find(Kind::BODY, name).unwrap());
+    let at = env.get(Quantity::BODY_POSITION, &ids).unwrap();
     let distance = (0..3).map(|i| (at[i] - at[3 + i]).powi(2)).sum::<f64>().sqrt();
     assert!((results.terms[0] + distance).abs() < 1e-12 && distance > 0.1, "{:?} {}", results, distance);
 }
@@ -103,14 +109,14 @@ fn points_lie_where_a_pinhole_draws_them() {
     assert!(seen[2][2] < 0.0, "{:?}", seen); // behind the camera
     assert_eq!(env.project(&ahead, &[]), Ok(vec![]));
     let third = ahead.camera("eye_third").unwrap();
-    assert_eq!(env.project(third, &[[0.0; 3]]).unwrap_err().kind(), Kind::NotFound);
+    assert_eq!(env.project(third, &[[0.0; 3]]).unwrap_err().status(), Status::NOT_FOUND);
 }
 
 /// Never more threads than worlds; none asked for is as many as the machine has, at most.
 #[test]
 fn batches_know_their_size() {
     let mut scene = Scene::empty().unwrap();
-    scene.add_object(&Object::new("ball").unwrap()).unwrap();
+    scene.add_object(&ObjectConfig::new("ball").unwrap()).unwrap();
     let size = |worlds, threads| {
         let mut config = BatchConfig::new(worlds).unwrap();
         let batch = Batch::new(&scene, &EnvConfig::new().unwrap(), config.threads(threads)).unwrap();
@@ -150,14 +156,18 @@ fn tasks_and_parameters_are_listed() {
 fn movements_are_followed() {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = scene.default_agent().unwrap();
-    scene.add_agent(agent.vision(0, 8, 8).touch(0, 1.0)).unwrap();
+    scene.add_agent(agent.vision(Vision::empty()).touch(Touch::empty())).unwrap();
     let mut env = Env::new(&scene, EnvConfig::new().unwrap().frame_skip(1)).unwrap();
-    let still = env.get_all(MIMO_JOINT_POSITION).unwrap();
+    let still = env.get_all(Quantity::JOINT_POSITION).unwrap();
     let mut block = env.new_block().unwrap();
     env.follow(&still, None).unwrap();
     let forces = env.follow(&still, Some(&mut block)).unwrap();
     let mass = env.agent(0).unwrap().mass;
     assert!((forces[2] - 9.81 * mass).abs() < 1e-6, "{}", forces[2]);
     let error = env.follow(&still[1..], None).unwrap_err();
-    assert!(error.kind() == Kind::InvalidArgument && error.message().contains("position_count"), "{}", error);
+    assert!(
+        error.status() == Status::INVALID_ARGUMENT && error.message().contains("position_count"),
+        "{}",
+        error
+    );
 }

@@ -1,15 +1,15 @@
 //! One world, driven as a user drives it.
 use mimo::sys::*;
 use mimo::{
-    AgentConfig, Batch, BatchConfig, Env, EnvConfig, Growth, Kind, Level, LogRecord, Object, Reset, Scene,
-    SceneConfig,
+    Act, AgentConfig, Batch, BatchConfig, Env, EnvConfig, Growth, Kind, LogLevel, LogRecord, ObjectConfig,
+    Place, Quantity, Reset, Scene, SceneConfig, Sex, Status, Touch, Vestibular, Vision, WarningCode,
 };
 use std::sync::{Arc, Mutex};
 
 /// An empty world with one ball at a height of 2 m: physics that can be computed by hand.
 fn ball() -> Env {
     let mut scene = Scene::empty().unwrap();
-    scene.add_object(Object::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
+    scene.add_object(ObjectConfig::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
 
@@ -18,11 +18,11 @@ fn ball() -> Env {
 fn scenes_of_nothing_and_nobody_are_refused() {
     for made in [Scene::builtin(""), Scene::file(""), Scene::xml("")] {
         let error = made.unwrap_err();
-        assert_eq!(error.kind(), Kind::InvalidArgument);
+        assert_eq!(error.status(), Status::INVALID_ARGUMENT);
         assert!(error.message().contains("is \"\", expected"), "{}", error);
     }
     let error = Env::new(&Scene::builtin("reach").unwrap(), &EnvConfig::new().unwrap()).unwrap_err();
-    assert_eq!(error.kind(), Kind::InvalidArgument);
+    assert_eq!(error.status(), Status::INVALID_ARGUMENT);
     assert!(error.message().contains("mimo_scene_add_agents adds its infants"), "{}", error);
 }
 
@@ -31,17 +31,17 @@ fn scenes_of_nothing_and_nobody_are_refused() {
 fn body_is_that_of_the_paper() {
     assert!(mimo::builtin_scenes().contains(&"benchmark".to_string()));
     let env = Env::make("benchmark").unwrap();
-    let root = env.find(MIMO_BODY, "mimo_location").unwrap();
+    let root = env.find(Kind::BODY, "mimo_location").unwrap();
     let infant: Vec<i32> =
-        (1..env.count(MIMO_BODY).unwrap() as i32).filter(|&id| hangs_on(&env, id, root)).collect();
-    let mass: f64 = env.get(MIMO_BODY_MASS, &infant).unwrap().iter().sum();
+        (1..env.count(Kind::BODY).unwrap() as i32).filter(|&id| hangs_on(&env, id, root)).collect();
+    let mass: f64 = env.get(Quantity::BODY_MASS, &infant).unwrap().iter().sum();
     assert!((mass - 10.905).abs() < 5e-4, "{}", mass);
 }
 
 fn hangs_on(env: &Env, mut body: i32, root: i32) -> bool {
     while body > 0 && body != root {
         let child = body;
-        assert_eq!(unsafe { mimo_env_body_of(env.handle(), MIMO_BODY as i32, child, &mut body) }, 0);
+        assert_eq!(unsafe { mimo_env_body_of(env.handle(), MIMO_BODY, child, &mut body) }, 0);
     }
     body == root
 }
@@ -50,7 +50,7 @@ fn hangs_on(env: &Env, mut body: i32, root: i32) -> bool {
 #[test]
 fn ball_falls_as_calculated() {
     let mut env = ball();
-    let id = env.find(MIMO_BODY, "ball").unwrap();
+    let id = env.find(Kind::BODY, "ball").unwrap();
     env.reset(Reset::new().seed(1), None).unwrap();
     let mut results = env.new_results().unwrap(); // nobody to be rewarded
     for _ in 0..10 {
@@ -59,7 +59,7 @@ fn ball_falls_as_calculated() {
     let n = (env.time().unwrap() / 0.005).round();
     assert!(n >= 10.0);
     unsafe { mimo_env_update(env.handle()) };
-    let height = env.get(MIMO_BODY_POSITION, &[id]).unwrap()[2];
+    let height = env.get(Quantity::BODY_POSITION, &[id]).unwrap()[2];
     let expected = 2.0 - 9.81 * 0.005 * 0.005 * n * (n + 1.0) / 2.0;
     assert!((height - expected).abs() < 1e-12, "{} {}", height, expected);
 }
@@ -75,8 +75,8 @@ fn fields_are_views_of_the_block() {
     assert_eq!(block.as_bytes().as_ptr() as usize % 64, 0);
     assert_eq!(block.f32("vestibular/acceleration").unwrap().len(), 3);
 
-    let joint = env.find(MIMO_JOINT, "robot:left_elbow").unwrap();
-    let angle = env.get(MIMO_JOINT_POSITION, &[joint]).unwrap()[0] as f32;
+    let joint = env.find(Kind::JOINT, "robot:left_elbow").unwrap();
+    let angle = env.get(Quantity::JOINT_POSITION, &[joint]).unwrap()[0] as f32;
     assert!(block.f32("proprioception/position").unwrap().contains(&angle));
 }
 
@@ -85,12 +85,12 @@ fn an_infant_stands_where_its_soles_are_put() {
     let feet = |height| {
         let mut scene = Scene::builtin("free").unwrap();
         let mut agent = scene.default_agent().unwrap();
-        agent.vision(0, 8, 8).vestibular(MIMO_VESTIBULAR_ACCELERATION);
-        agent.place_by(MIMO_PLACE_SOLES, [0.5, 0.0, height], [1.0, 0.0, 0.0, 0.0]);
+        agent.vision(Vision::empty()).vestibular(Vestibular::ACCELERATION);
+        agent.place(Place::SOLES).position([0.5, 0.0, height]).orientation([1.0, 0.0, 0.0, 0.0]);
         scene.add_agent(&agent).unwrap();
         let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
-        let ids = [env.find(MIMO_BODY, "left_foot").unwrap(), env.find(MIMO_BODY, "right_foot").unwrap()];
-        env.get(MIMO_BODY_POSITION, &ids).unwrap()
+        let ids = [env.find(Kind::BODY, "left_foot").unwrap(), env.find(Kind::BODY, "right_foot").unwrap()];
+        env.get(Quantity::BODY_POSITION, &ids).unwrap()
     };
     let (low, high) = (feet(0.2), feet(0.7));
     assert!(((low[0] + low[3]) / 2.0 - 0.5).abs() < 1e-12 && ((low[1] + low[4]) / 2.0).abs() < 1e-12);
@@ -100,20 +100,20 @@ fn an_infant_stands_where_its_soles_are_put() {
 #[test]
 fn errors_carry_kind_and_message() {
     let error = Env::make("benchmarc").err().unwrap();
-    assert_eq!(error.kind(), Kind::NotFound);
+    assert_eq!(error.status(), Status::NOT_FOUND);
     assert!(error.message().contains("\"benchmarc\"") && error.message().contains("benchmark"), "{}", error);
 
     let mut env = Env::make("reach").unwrap();
     let mut action = vec![0.0; env.layout().unwrap().action_count()];
     action[1] = f32::NAN;
     let error = env.step(&action, None).unwrap_err();
-    assert_eq!((error.kind(), error.message()), (Kind::InvalidArgument, "action[1] is not a number"));
+    assert_eq!((error.status(), error.message()), (Status::INVALID_ARGUMENT, "action[1] is not a number"));
 
     let block = env.new_block().unwrap();
-    assert_eq!(block.f32("touch/farce").unwrap_err().kind(), Kind::NotFound);
+    assert_eq!(block.f32("touch/farce").unwrap_err().status(), Status::NOT_FOUND);
     let name = block.fields()[0].name.clone();
     assert!(block.u8(&name).unwrap_err().message().contains("F32"));
-    assert_eq!(Scene::builtin("a\0b").err().unwrap().kind(), Kind::InvalidArgument);
+    assert_eq!(Scene::builtin("a\0b").err().unwrap().status(), Status::INVALID_ARGUMENT);
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn block_of_another_world_is_refused() {
     small.reset(Reset::new().seed(1), Some(&mut block)).unwrap();
     let before = block.as_bytes().to_vec();
     let error = Env::make("benchmark").unwrap().reset(Reset::new().seed(1), Some(&mut block)).unwrap_err();
-    assert_eq!(error.kind(), Kind::BufferTooSmall);
+    assert_eq!(error.status(), Status::BUFFER_TOO_SMALL);
     assert_eq!(before, block.as_bytes());
 }
 
@@ -150,10 +150,10 @@ fn saved_state_continues_to_the_bit() {
 fn infants_of_any_age() {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = AgentConfig::new().unwrap();
-    agent.vision(0, 1, 1).growth(Growth::of_age(24.5).unwrap());
+    agent.vision(Vision::empty()).growth(Growth::of_age(24.5).unwrap());
     assert!(scene.add_agent(&agent).unwrap_err().to_string().contains("age is 24.5"));
     let mut girl = Growth::of_age(6.0).unwrap();
-    girl.sex(MIMO_SEX_FEMALE);
+    girl.sex(Sex::FEMALE);
     agent.growth(girl);
     scene.add_agent(&agent).unwrap();
     let env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
@@ -164,7 +164,7 @@ fn infants_of_any_age() {
 fn agent_config_reaches_the_world() {
     let mut scene = Scene::builtin("benchmark").unwrap();
     let mut agent = AgentConfig::new().unwrap();
-    agent.name("anna").unwrap().vision(MIMO_VISION_DEPTH, 32, 16).acts(MIMO_ACT_RIGHT_ARM);
+    agent.name("anna").unwrap().vision(Vision::DEPTH).vision_width(32).vision_height(16).acts(Act::RIGHT_ARM);
     assert_eq!(scene.add_agent(&agent), Ok(0));
     scene.set_parameter("reach/success_reward", 5.0).unwrap();
     assert_eq!(scene.parameter("reach/success_reward"), Ok(5.0));
@@ -179,7 +179,7 @@ fn agent_config_reaches_the_world() {
 }
 
 /// What was said: level, code, text, world, time.
-type Heard = Arc<Mutex<Vec<(Level, u32, String, Option<usize>, f64)>>>;
+type Heard = Arc<Mutex<Vec<(LogLevel, Option<WarningCode>, String, Option<usize>, f64)>>>;
 
 /// A panic in the callback must not unwind through the library.
 fn listener(heard: &Heard) -> impl Fn(&LogRecord) + Send + Sync + 'static {
@@ -203,9 +203,14 @@ fn messages_say_what_where_and_when() {
     env.step_into(&[], None, &mut results).unwrap();
     let heard = heard.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let (level, code, text, world, time) = heard.first().unwrap();
-    assert_eq!((*level, *code, *world), (Level::Warning, MIMO_WARNING_CONTACTS_DROPPED, Some(0)), "{}", text);
+    assert_eq!(
+        (*level, *code, *world),
+        (LogLevel::WARNING, Some(WarningCode::CONTACTS_DROPPED), Some(0)),
+        "{}",
+        text
+    );
     assert!((0.0..=env.time().unwrap()).contains(time) && !text.is_empty());
-    assert!(env.warnings().unwrap()[MIMO_WARNING_CONTACTS_DROPPED as usize] > 0);
+    assert!(env.warnings().unwrap()[WarningCode::CONTACTS_DROPPED.raw() as usize] > 0);
 }
 
 #[test]
@@ -230,13 +235,13 @@ fn scenes_warn_of_places() {
     let mut config = SceneConfig::builtin("free").unwrap();
     let mut scene = Scene::new(config.log(listener(&heard))).unwrap();
     let mut agent = scene.default_agent().unwrap();
-    agent.vision(0, 8, 8).touch(0, 1.0);
-    agent.place_by(MIMO_PLACE_LOWEST, [0.0, 0.0, -0.5], [1.0, 0.0, 0.0, 0.0]);
+    agent.vision(Vision::empty()).touch(Touch::empty());
+    agent.place(Place::LOWEST).position([0.0, 0.0, -0.5]).orientation([1.0, 0.0, 0.0, 0.0]);
     scene.add_agent(&agent).unwrap();
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
     let heard = heard.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let (level, code, text, world, time) = heard.first().unwrap();
-    assert_eq!((*level, *code, *world, *time), (Level::Warning, 0, None, 0.0), "{}", text);
+    assert_eq!((*level, *code, *world, *time), (LogLevel::WARNING, None, None, 0.0), "{}", text);
 }
 
 /// Three elements in the world, of which two are allowed.
@@ -245,8 +250,8 @@ fn documents_are_limited() {
     let mut config = SceneConfig::xml(CROWDED).unwrap();
     let make = |config: &SceneConfig| Env::new(&Scene::new(config).unwrap(), &EnvConfig::new().unwrap());
     assert!(make(&config).is_ok());
-    config.limits(mimo::DocumentLimits { max_elements: 2, ..Default::default() });
-    assert_eq!(make(&config).unwrap_err().kind(), Kind::Model);
+    config.max_elements(2);
+    assert_eq!(make(&config).unwrap_err().status(), Status::MODEL);
 }
 
 #[test]
@@ -258,8 +263,8 @@ fn the_library_tells_what_it_knows() {
     for unknown in ["mimo_env_stop", "MIMO_BODY_MAS", "mimo_field.time", "", "mimo_\0field"] {
         assert!(!mimo::supports(unknown), "{}", unknown);
     }
-    let error = Env::make("reach").unwrap().get(9999, &[0]).unwrap_err();
-    assert_eq!(error.kind(), Kind::Unsupported);
+    let error = Env::make("reach").unwrap().get(Quantity::from_raw(9999), &[0]).unwrap_err();
+    assert_eq!(error.status(), Status::UNSUPPORTED);
 }
 
 /// Two boxes on each other with room for a single contact: MuJoCo warns.
