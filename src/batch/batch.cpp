@@ -6,7 +6,6 @@
 
 #include "base/fail.h"
 #include "base/format.h"
-#include "env/succession.h"
 
 namespace mimo::batch {
 
@@ -17,29 +16,43 @@ std::size_t thread_count(const Options& options) {
   return std::min(wanted, options.worlds);
 }
 
+void check_like(std::size_t world, const env::Description& expected, const env::Description& own) {
+  try {
+    check_alike(expected, own);
+  } catch (const Error& error) {
+    fail(error.status(), "world {}: {}", world, error.message());
+  }
+}
+
 }  // namespace
 
-Batch::Batch(const Kits& kits, const Options& options, HostOf host_of)
+Batch::Batch(const CompiledWorlds& compiled, const Options& options, HostOf host_of,
+             const blueprint::WorldsByAgePtr& ages)
     : options_(options),
       threads_(thread_count(options)),
+      furnished_(compiled.size() == 1 ? threads_ : 1),  // of several models a thread may never draw them all
       reports_(options.worlds),
       loaded_(options.worlds),
       pool_(threads_) {
-  for (std::size_t i = 0; i < options.worlds; ++i) {
-    const std::uint64_t seed = i;  // worlds that nobody seeds are not all alike
-    identities_.push_back({seed, i, host_of ? host_of(i) : nullptr});
-  }
-  mailboxes_.reserve(options.worlds);
-  stocks_.reserve(options.worlds);
+  log_queues_.reserve(options.worlds);
   worlds_.reserve(options.worlds);
-  // Of several models a thread may never draw them all.
-  const std::size_t renderers = kits.size() == 1 ? threads_ : 1;
-  for (std::size_t i = 0; i < options.worlds; ++i) add_world(kits[i % kits.size()], renderers);
+  for (std::size_t i = 0; i < options.worlds; ++i) {
+    add_world(compiled[i % compiled.size()], ages, host_of ? host_of(i) : nullptr);
+    if (i >= compiled.size()) continue;
+    const env::Description own = describe(world(i));
+    if (i == 0) description_.begin_as(own);
+    check_like(i, *description_.read(), own);
+    description_.widen(own);
+  }
+  furnished_ = 1;
 }
 
 Batch::~Batch() {
   if (sent_) pool_.wait();
 }
+
+// Callbacks of the host concern all worlds alike.
+void Batch::require_undisturbed() const { world(0).physics().require_undisturbed(); }
 
 void Batch::require_idle() const {
   if (!busy_.load(std::memory_order_relaxed)) return;
@@ -55,100 +68,75 @@ void Batch::require_access(std::size_t world) const {
 
 bool Batch::works_on_this_thread() const { return works_for(this); }
 
-void Batch::add_world(const env::KitPtr& kit, std::size_t renderers) {
+// Worlds that nobody seeds are not all alike.
+void Batch::add_world(const env::CompiledWorldPtr& compiled, const blueprint::WorldsByAgePtr& ages, const void* host) {
   const std::size_t i = worlds_.size();
-  mailboxes_.emplace_back(kit->services.log, this);
-  const StockPtr stock = stock_of(kit, renderers);
-  const bool first = stock.use_count() == 1;
-  stocks_.push_back(stock);
-  worlds_.push_back(make_world(i, *stock));
-  if (!first) return;
-  env::Description own = describe(*worlds_[i]);
-  if (i == 0) description_.begin_as(own);
-  check_like_the_others(i, own);
-  description_.widen(own);
+  const std::uint64_t seed = i;
+  log_queues_.emplace_back(compiled->services.log, this);
+  const auto services = [this, i](const env::CompiledWorldPtr& of) { return services_of(i, of); };
+  worlds_.push_back(std::make_unique<blueprint::AgingWorld>(
+      ages, compiled, blueprint::Surroundings{{seed, i, host}, services, &description_}));
 }
 
-std::unique_ptr<env::World> Batch::make_world(std::size_t world, Stock& stock) {
-  env::Services services = stock.kit->services;
-  services.renderer = &stock.studio;
-  services.log = mailboxes_[world].slot();
-  return env::make_world(*stock.kit, services, identities_[world]);
+env::Services Batch::services_of(std::size_t world, const env::CompiledWorldPtr& compiled) {
+  env::Services services = compiled->services;
+  services.renderer = renderers_of(compiled);
+  services.log = log_queues_[world].slot();
+  return services;
 }
 
-StockPtr Batch::stock_of(const env::KitPtr& kit, std::size_t renderers) {
-  const auto same = [&](const StockPtr& stock) { return stock->kit == kit; };
-  const auto known = std::find_if(stocks_.begin(), stocks_.end(), same);
-  if (known != stocks_.end()) return *known;
-  auto stock = std::make_shared<Stock>(kit, threads_, this);
-  if (env::draws(kit->agents, kit->options)) stock->studio.furnish(renderers);
-  return stock;
-}
-
-void Batch::check_like_the_others(std::size_t world, const env::Description& description) const {
-  try {
-    check_alike(*description_.read(), description);
-  } catch (const Error& error) {
-    fail(error.status(), "world {}: {}", world, error.what());
+Batch::RenderersPtr Batch::renderers_of(const env::CompiledWorldPtr& compiled) {
+  const std::lock_guard lock(mutex_);
+  const auto gone = [](const std::weak_ptr<SharedRenderers>& some) { return some.expired(); };
+  renderers_.erase(std::remove_if(renderers_.begin(), renderers_.end(), gone), renderers_.end());
+  for (const std::weak_ptr<SharedRenderers>& some : renderers_) {
+    if (RenderersPtr known = some.lock(); known != nullptr && known->compiled() == compiled) return known;
   }
+  auto made = std::make_shared<SharedRenderers>(compiled, threads_, this);
+  if (env::draws(compiled->agents, compiled->options)) made->furnish(furnished_);
+  renderers_.push_back(made);
+  return made;
 }
 
-void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks, const Kits& kits) {
-  world(0).physics().require_undisturbed();
+void Batch::reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks,
+                  const CompiledWorlds& next) {
+  require_undisturbed();
   require_idle();
-  const std::vector<StockPtr> next = stocks_for(kits, mask);
+  std::vector<RenderersPtr> renderers;
+  require_like_the_others(next, mask, renderers);
   perform(mask, [&](std::size_t i, Report&) {
     const std::uint64_t* seed = seeds == nullptr ? nullptr : seeds + i;
-    std::uint8_t* block = block_of(worlds_, blocks, i);
-    if (next.empty() || next[i] == stocks_[i]) return worlds_[i]->reset(seed, block);
-    env::take_over(worlds_[i], make_world(i, *next[i]), seed, block);
-    stocks_[i] = next[i];
+    const bool stays = next.empty() || next[i] == nullptr;
+    worlds_[i]->reset_as(stays ? worlds_[i]->compiled() : next[i], seed, block_of(worlds_, blocks, i));
   });
 }
 
-// Of what no world here is yet, one is made to see that it is like the others.
-std::vector<StockPtr> Batch::stocks_for(const Kits& kits, const std::uint8_t* mask) {
-  if (kits.empty()) return {};
-  std::vector<StockPtr> next = stocks_;
-  std::vector<env::Description> trials;
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (kits[i] == nullptr || (mask != nullptr && mask[i] == 0)) continue;
-    const auto same = [&](const StockPtr& stock) { return stock->kit == kits[i]; };
-    const auto known = std::find_if(next.begin(), next.end(), same);
-    if (known != next.end()) {
-      next[i] = *known;
-      continue;
+// Of a compiled world that no world here is one of, one is made to see that it is like the others. The renderers that
+// it needs are kept for those that come.
+void Batch::require_like_the_others(const CompiledWorlds& next, const std::uint8_t* mask,
+                                    std::vector<RenderersPtr>& renderers) {
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (next[i] == nullptr || (mask != nullptr && mask[i] == 0)) continue;
+    const auto is_of_it = [&](const auto& world) { return world->compiled() == next[i]; };
+    const auto made_for_it = [&](const RenderersPtr& some) { return some->compiled() == next[i]; };
+    if (std::any_of(worlds_.begin(), worlds_.end(), is_of_it)) continue;
+    if (std::any_of(renderers.begin(), renderers.end(), made_for_it)) continue;
+    renderers.push_back(renderers_of(next[i]));
+    try {
+      worlds_[i]->require_alike(next[i]);
+    } catch (const Error& error) {
+      fail(error.status(), "world {}: {}", i, error.message());
     }
-    next[i] = stock_of(kits[i]);
-    trials.push_back(describe(*make_world(i, *next[i])));
-    check_like_the_others(i, trials.back());
   }
-  for (const env::Description& trial : trials) description_.widen(trial);
-  return next;
-}
-
-void Batch::reset_world(std::size_t world, const env::KitPtr& kit, const std::uint64_t* seed, std::uint8_t* block) {
-  StockPtr next;
-  {
-    const std::lock_guard lock(mutex_);
-    next = stock_of(kit);
-  }
-  auto successor = make_world(world, *next);
-  const env::Description own = describe(*successor);
-  check_like_the_others(world, own);
-  env::take_over(worlds_[world], std::move(successor), seed, block);
-  description_.widen(own);
-  const std::lock_guard lock(mutex_);
-  stocks_[world] = std::move(next);
 }
 
 void Batch::step(const float* actions, const Output& output) {
-  world(0).physics().require_undisturbed();
+  require_undisturbed();
   perform(nullptr, Step(worlds_, options_, actions, output), output.status);
 }
 
 void Batch::send(const float* actions, const Output& output) {
-  world(0).physics().require_undisturbed();
+  require_undisturbed();
   require_idle();
   sent_.emplace(worlds_, options_, actions, output);
   begin({*sent_, nullptr, output.status, {}});
@@ -172,8 +160,8 @@ void Batch::receive() {
 }
 
 void Batch::observe(const std::uint8_t* mask, std::uint8_t* blocks) {
-  world(0).physics().require_undisturbed();
-  perform(mask, [&](std::size_t i, Report&) { worlds_[i]->observe(block_of(worlds_, blocks, i)); });
+  require_undisturbed();
+  perform(mask, [&](std::size_t i, Report&) { world(i).observe(block_of(worlds_, blocks, i)); });
 }
 
 // Copying is so quick that waking threads for it would take longer.
@@ -185,20 +173,21 @@ void Batch::set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t*
     if (mask != nullptr && mask[i] == 0) continue;
     env::check_settable(world(i), quantity, ids, row(i));
   }
-  perform(mask, [&](std::size_t i, Report&) { env::set(*worlds_[i], quantity, ids, row(i)); });
+  perform(mask, [&](std::size_t i, Report&) { env::set(world(i), quantity, ids, row(i)); });
 }
 
 std::size_t Batch::state_bytes() const {
-  const auto shorter = [](const auto& a, const auto& b) { return a->state_bytes() < b->state_bytes(); };
-  return (*std::max_element(worlds_.begin(), worlds_.end(), shorter))->state_bytes();
+  std::size_t bytes = 0;
+  for (const auto& world : worlds_) bytes = std::max(bytes, world->world().state_bytes());
+  return bytes;
 }
 
 void Batch::save(const std::uint8_t* mask, std::uint8_t* states) {
   const std::size_t row = state_bytes();
   perform(mask, [&](std::size_t i, Report&) {
-    const std::size_t bytes = worlds_[i]->state_bytes();
+    const std::size_t bytes = world(i).state_bytes();
     std::uint8_t* own = states + i * row;
-    worlds_[i]->save({own, bytes});
+    world(i).save({own, bytes});
     std::fill(own + bytes, own + row, std::uint8_t{0});
   });
 }
@@ -222,7 +211,7 @@ env::LoadReport Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> s
     if (mask == nullptr || mask[i] != 0) state_of(i);
   }
   std::fill(loaded_.begin(), loaded_.end(), env::LoadReport{});
-  perform(mask, [&](std::size_t i, Report&) { loaded_[i] = worlds_[i]->load(state_of(i)); });
+  perform(mask, [&](std::size_t i, Report&) { loaded_[i] = world(i).load(state_of(i)); });
   const auto fewer = [](const env::LoadReport& a, const env::LoadReport& b) { return a.fresh < b.fresh; };
   return std::move(*std::max_element(loaded_.begin(), loaded_.end(), fewer));
 }
@@ -241,7 +230,7 @@ void Batch::perform(const std::uint8_t* mask, Work work, std::int32_t* status) {
 
 void Batch::finish() {
   busy_ = false;
-  for (Mailbox& mailbox : mailboxes_) mailbox.deliver();
+  for (LogQueue& queue : log_queues_) queue.deliver();
   std::size_t failures = 0, first = 0;
   for (std::size_t i = 0; i < size(); ++i) {
     if (!operation_.concerns(i) || reports_[i].status == Status::kOk || reports_[i].settled) continue;

@@ -10,17 +10,17 @@
 
 #include "base/function_ref.h"
 #include "base/pool.h"
-#include "batch/mailbox.h"
+#include "batch/log_queue.h"
 #include "batch/options.h"
 #include "batch/report.h"
+#include "batch/shared_renderers.h"
 #include "batch/step.h"
-#include "batch/stock.h"
 #include "batch/workplace.h"
 #include "env/access.h"
-#include "env/description.h"
-#include "env/world.h"
 
 namespace mimo::batch {
+
+using CompiledWorlds = std::vector<env::CompiledWorldPtr>;
 
 // Masks have a byte for each world, 0 for those to be left alone; a null mask means all. Every operation goes through
 // all worlds whatever happens to one, then delivers their messages and throws the first failure that is not settled.
@@ -29,18 +29,19 @@ class Batch : private Job {
   // What the border knows world i by.
   using HostOf = FunctionRef<const void*(std::size_t world)>;
 
-  // World i is of kit i % kits.size(). Throws Status::kInvalidArgument, naming the world, where not all observe, act
-  // and are rewarded alike.
-  Batch(const Kits& kits, const Options& options, HostOf host_of = {});
+  // World i is one of compiled[i % compiled.size()]. Throws Status::kInvalidArgument, naming the world, where not all
+  // observe, act and are rewarded alike. `ages` may be null where infants never change.
+  Batch(const CompiledWorlds& compiled, const Options& options, HostOf host_of = {},
+        const blueprint::WorldsByAgePtr& ages = {});
   ~Batch();
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
 
   std::size_t size() const { return worlds_.size(); }
   std::size_t threads() const { return pool_.threads(); }
-  env::World& world(std::size_t i) { return *worlds_[i]; }
-  const env::World& world(std::size_t i) const { return *worlds_[i]; }
-  const env::KitPtr& kit(std::size_t i) const { return stocks_[i]->kit; }
+  env::World& world(std::size_t i) { return worlds_[i]->world(); }
+  const env::World& world(std::size_t i) const { return worlds_[i]->world(); }
+  blueprint::AgingWorld& aging(std::size_t i) const { return *worlds_[i]; }
   // Of all worlds: names and shapes that they have in common, receptors of the first one as it was made, the widest
   // bounds of all that ever were.
   const env::LiveDescription& description() const { return description_; }
@@ -54,11 +55,10 @@ class Batch : private Job {
   // Whether this thread is at work on that very world. Looks at no member: others may be destroying them.
   bool is_at(std::size_t world) const { return workplace().batch == this && workplace().world == world; }
 
-  // Null seeds: every world goes on with its own stream. Kits are by worlds, which become worlds of these; null: they
-  // stay what they are; none: so do all. Nothing happens where a kit's worlds are not like those here.
-  void reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks, const Kits& kits = {});
-  // The same of one world, by whoever has access to it.
-  void reset_world(std::size_t world, const env::KitPtr& kit, const std::uint64_t* seed, std::uint8_t* block);
+  // Null seeds: every world goes on with its own stream. World i becomes one of next[i]; null: it stays what it is; an
+  // empty list: so do all. Nothing happens where the worlds of one of them are not like those here.
+  void reset(const std::uint64_t* seeds, const std::uint8_t* mask, std::uint8_t* blocks,
+             const CompiledWorlds& next = {});
   void step(const float* actions, const Output& output);
   // A step in two parts. Actions and output belong to the batch in between.
   void send(const float* actions, const Output& output);
@@ -97,12 +97,15 @@ class Batch : private Job {
     bool concerns(std::size_t world) const { return mask == nullptr || mask[world] != 0; }
   };
 
-  std::unique_ptr<env::World> make_world(std::size_t world, Stock& stock);
-  // Makes one, with that many renderers at once, where no world is of this kit.
-  StockPtr stock_of(const env::KitPtr& kit, std::size_t renderers = 1);
-  void add_world(const env::KitPtr& kit, std::size_t renderers);
-  std::vector<StockPtr> stocks_for(const Kits& kits, const std::uint8_t* mask);
-  void check_like_the_others(std::size_t world, const env::Description& description) const;
+  using RenderersPtr = std::shared_ptr<SharedRenderers>;
+
+  // Made where no world is one of this compiled one, with as many renderers at once as furnished_ says.
+  RenderersPtr renderers_of(const env::CompiledWorldPtr& compiled);
+  env::Services services_of(std::size_t world, const env::CompiledWorldPtr& compiled);
+  void add_world(const env::CompiledWorldPtr& compiled, const blueprint::WorldsByAgePtr& ages, const void* host);
+  void require_like_the_others(const CompiledWorlds& next, const std::uint8_t* mask,
+                               std::vector<RenderersPtr>& renderers);
+  void require_undisturbed() const;
   void begin(const Operation& operation);
   void perform(const std::uint8_t* mask, Work work, std::int32_t* status = nullptr);
   void finish();
@@ -111,12 +114,12 @@ class Batch : private Job {
 
   Options options_;
   std::size_t threads_;
-  std::vector<env::Identity> identities_;  // by worlds, as all of these
-  std::vector<StockPtr> stocks_;
-  std::vector<Mailbox> mailboxes_;
-  std::vector<std::unique_ptr<env::World>> worlds_;
+  std::size_t furnished_;
+  std::mutex mutex_;                                       // of renderers, as worlds may change by themselves
+  std::vector<std::weak_ptr<SharedRenderers>> renderers_;  // one for each compiled world that worlds are of
   env::LiveDescription description_;
-  std::mutex mutex_;  // of stocks, where worlds change by themselves
+  std::vector<LogQueue> log_queues_;  // by worlds, as these
+  std::vector<std::unique_ptr<blueprint::AgingWorld>> worlds_;
   std::vector<Report> reports_;
   std::vector<env::LoadReport> loaded_;  // by the worlds, in the last load
   Pool pool_;

@@ -17,22 +17,22 @@ void Step::operator()(std::size_t world, Report& report) const {
     return;
   }
   act(world, actions, report);
-  if (options_.autoreset != Autoreset::kNone && worlds_[world]->over()) end_episode(world);
+  if (options_.autoreset != Autoreset::kNone && at(world).over()) end_episode(world);
 }
 
 // Nothing to be remembered between steps: the world itself knows, also after its state was loaded.
 bool Step::due_for_reset(std::size_t world) const {
-  const env::World& it = *worlds_[world];
+  const env::World& it = at(world);
   if (it.physics().failed()) return options_.restart_failed;
   return options_.autoreset == Autoreset::kNextStep && it.over();
 }
 
 void Step::act(std::size_t world, Span<const float> actions, Report& report) const {
-  const bool failed_before = worlds_[world]->physics().failed();
+  const bool failed_before = std::as_const(at(world)).physics().failed();
   try {
-    worlds_[world]->step(actions, block(world), results_of(world));
+    at(world).step(actions, block(world), results_of(world));
   } catch (const Error& error) {
-    const bool failed = worlds_[world]->physics().failed();
+    const bool failed = std::as_const(at(world)).physics().failed();
     blank(world, failed);
     if (failed_before && report.status == Status::kSimulation) throw Error(report.status, std::string(report.message));
     if (!failed || !options_.restart_failed) throw;
@@ -46,11 +46,11 @@ void Step::act(std::size_t world, Span<const float> actions, Report& report) con
 void Step::end_episode(std::size_t world) const {
   const env::Results results = results_of(world);
   for (std::size_t i = 0; i < results.truncated.size(); ++i) {
-    const bool over = worlds_[world]->agents()[i].task->over();
+    const bool over = at(world).agents()[i].task->over();
     if (!over) results.truncated[i] = 1;
   }
   if (options_.autoreset != Autoreset::kSameStep) return;
-  const std::size_t bytes = worlds_[world]->layout().bytes();
+  const std::size_t bytes = at(world).layout().bytes();
   if (output_.final_blocks != nullptr && output_.blocks != nullptr) {
     std::copy_n(block(world), bytes, output_.final_blocks + world * bytes);
     if (output_.final_written != nullptr) output_.final_written[world] = 1;
@@ -59,13 +59,13 @@ void Step::end_episode(std::size_t world) const {
 }
 
 void Step::restart(std::size_t world) const {
-  worlds_[world]->reset(nullptr, block(world));
+  at(world).reset(nullptr, block(world));
   if (output_.was_reset != nullptr) output_.was_reset[world] = 1;
 }
 
 // Defined bytes where there is nothing to tell: learners average over whole batches.
 void Step::blank(std::size_t world, bool cut_off) const {
-  if (std::uint8_t* start = block(world)) std::fill_n(start, worlds_[world]->layout().bytes(), std::uint8_t{0});
+  if (std::uint8_t* start = block(world)) std::fill_n(start, at(world).layout().bytes(), std::uint8_t{0});
   const env::Results results = results_of(world);
   std::fill(results.reward.begin(), results.reward.end(), 0.0);
   std::fill(results.terminated.begin(), results.terminated.end(), std::uint8_t{0});
@@ -76,19 +76,19 @@ void Step::blank(std::size_t world, bool cut_off) const {
 
 Span<const float> Step::actions_of(std::size_t world) const {
   if (actions_ == nullptr) return {};
-  const std::size_t count = worlds_[world]->action_size();
+  const std::size_t count = at(world).action_size();
   const Span<const float> actions(actions_ + world * count, count);
-  worlds_[world]->check_actions(actions);
+  at(world).check_actions(actions);
   return actions;
 }
 
 env::Results Step::results_of(std::size_t world) const {
-  const std::size_t agents = worlds_[world]->agents().size();
+  const std::size_t agents = at(world).agents().size();
   const auto row = [world](auto* first, std::size_t length) {
     return first == nullptr ? decltype(Span(first, 0))() : Span(first + world * length, length);
   };
   return {row(output_.reward, agents), row(output_.terminated, agents), row(output_.truncated, agents),
-          row(output_.outcome, agents), row(output_.terms, worlds_[world]->term_count())};
+          row(output_.outcome, agents), row(output_.terms, at(world).term_count())};
 }
 
 }  // namespace mimo::batch

@@ -6,15 +6,15 @@
 #include "base/span.h"
 #include "batch/options.h"
 #include "batch/report.h"
-#include "env/world.h"
+#include "blueprint/aging_world.h"
 
 namespace mimo::batch {
 
-using Worlds = Span<const std::unique_ptr<env::World>>;
+using Worlds = Span<const std::unique_ptr<blueprint::AgingWorld>>;
 
 // A world's own among blocks that may be null.
 inline std::uint8_t* block_of(Worlds worlds, std::uint8_t* blocks, std::size_t world) {
-  return blocks == nullptr ? nullptr : blocks + world * worlds[world]->layout().bytes();
+  return blocks == nullptr ? nullptr : blocks + world * worlds[world]->world().layout().bytes();
 }
 
 class Step {
@@ -27,6 +27,7 @@ class Step {
   void operator()(std::size_t world, Report& report) const;
 
  private:
+  env::World& at(std::size_t world) const { return worlds_[world]->world(); }
   bool due_for_reset(std::size_t world) const;
   void act(std::size_t world, Span<const float> actions, Report& report) const;
   void end_episode(std::size_t world) const;

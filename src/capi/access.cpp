@@ -123,7 +123,7 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
 }
 
 mimo_status mimo_env_update(mimo_env* env) noexcept {
-  return guard(env, [&] { open(env).world().physics().update_poses(); });
+  return guard(env, [&] { open(env).world().update_poses(); });
 }
 
 }  // extern "C"

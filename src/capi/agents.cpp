@@ -245,16 +245,17 @@ mimo_status mimo_agent_config_init(mimo_agent_config* config, size_t size) noexc
 }
 
 mimo_status mimo_scene_default_agent(const mimo_scene* scene, mimo_agent_config* config, size_t size) noexcept {
-  return guard(
-      scene, [&] { write_struct(config, size, default_agent_config(open(scene).blueprint.draft().scene), "config"); });
+  return guard(scene, [&] {
+    write_struct(config, size, default_agent_config(open(scene).blueprint.current().scene), "config");
+  });
 }
 
 mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* config, size_t* agent) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
-    const mimo_agent_config defaults = default_agent_config(blueprint.draft().scene);
+    const mimo_agent_config defaults = default_agent_config(blueprint.current().scene);
     const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
-    const std::size_t number = blueprint.edit([&](blueprint::Draft& draft) { return draft.add_agent(plan); });
+    const std::size_t number = blueprint.edit([&](blueprint::SceneEdit& edit) { return edit.add_agent(plan); });
     if (agent != nullptr) *agent = number;
   });
 }
@@ -262,9 +263,9 @@ mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* con
 mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* config, size_t* count) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
-    const mimo_agent_config defaults = default_agent_config(blueprint.draft().scene);
+    const mimo_agent_config defaults = default_agent_config(blueprint.current().scene);
     const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
-    const std::size_t added = blueprint.edit([&](blueprint::Draft& draft) { return draft.add_agents(plan); });
+    const std::size_t added = blueprint.edit([&](blueprint::SceneEdit& edit) { return edit.add_agents(plan); });
     if (count != nullptr) *count = added;
   });
 }
@@ -274,9 +275,9 @@ mimo_status mimo_scene_set_touch(mimo_scene* scene, size_t agent, const char* bo
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
             body == nullptr ? "(every)" : body, spacing);
-    blueprint.edit([&](blueprint::Draft& draft) {
-      if (body == nullptr) return draft.agents.set_touch(agent, spacing);
-      draft.agents.set_touch(agent, body, spacing, draft.scene);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      if (body == nullptr) return edit.agents.set_touch(agent, spacing);
+      edit.agents.set_touch(agent, body, spacing, edit.scene);
     });
   });
 }
@@ -286,7 +287,7 @@ mimo_status mimo_scene_read_joint(mimo_scene* scene, size_t agent, const char* j
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string name = text(joint);
     require(!name.empty(), "joint is {}, expected a name", joint == nullptr ? "NULL" : "\"\"");
-    blueprint.edit([&](blueprint::Draft& draft) { draft.agents.read_joint(agent, name); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.read_joint(agent, name); });
   });
 }
 

@@ -8,13 +8,14 @@
 
 namespace mimo::capi {
 
-BatchObject::BatchObject(blueprint::FamilyPtr of, const batch::Kits& kits, const batch::Options& options)
-    : family(std::move(of)),
-      views(options.worlds),
-      batch(kits, options, [this](std::size_t world) { return &views.handles[world]; }),
+BatchObject::BatchObject(const blueprint::WorldsByAgePtr& worlds, const batch::CompiledWorlds& compiled,
+                         const batch::Options& options)
+    : views(options.worlds),
+      batch(
+          compiled, options, [this](std::size_t world) { return &views.handles[world]; }, worlds),
       layout(own_layout(batch.description())) {
   // The functions of a user's task get their world's handle; they run where making one would come too late.
-  for (std::size_t i = 0; kits[0]->options.custom_task && i < options.worlds; ++i) view(i);
+  for (std::size_t i = 0; compiled[0]->options.custom_task && i < options.worlds; ++i) view(i);
 }
 
 Views::~Views() {
@@ -35,7 +36,7 @@ mimo_env* BatchObject::view(std::size_t world) {
 }
 
 EnvObject::EnvObject(BatchObject& all, std::size_t which)
-    : family(all.family), layout(all.layout.get()), batch(&all.batch), whole(&all), number(which) {}
+    : layout(all.layout.get()), batch(&all.batch), whole(&all), number(which) {}
 
 namespace {
 
@@ -65,27 +66,28 @@ batch::Options batch_options(const mimo_batch_config& config) {
   return options;
 }
 
-batch::Kits kits_of(blueprint::Family& family, const mimo_batch_config& config, const LogSink& scene_log) {
+batch::CompiledWorlds compiled_worlds_of(blueprint::WorldsByAge& worlds, const mimo_batch_config& config,
+                                         const LogSink& scene_log) {
   require(config.cohort_count <= config.worlds, "cohort_count is {}, but there are {} worlds", config.cohort_count,
           config.worlds);
-  batch::Kits kits;
+  batch::CompiledWorlds compiled;
   for (const std::optional<growth::Growth>& age : ages_from(config.cohort, config.cohort_count, "cohort")) {
-    kits.push_back(family.as_described({age}, scene_log));
+    compiled.push_back(worlds.as_described({age}, scene_log));
   }
-  if (kits.empty()) kits.push_back(family.as_described({}, scene_log));
-  return kits;
+  if (compiled.empty()) compiled.push_back(worlds.as_described({}, scene_log));
+  return compiled;
 }
 
 // What worlds are to become; none: they stay.
-batch::Kits kits_of(const BatchObject& object, const mimo_batch_reset_config& config) {
+batch::CompiledWorlds compiled_worlds_of(const BatchObject& object, const mimo_batch_reset_config& config) {
   if (config.growth == nullptr) return {};
-  batch::Kits kits(config.worlds);
+  batch::CompiledWorlds compiled(config.worlds);
   const blueprint::Ages ages = ages_from(config.growth, config.worlds, "growth");
   for (std::size_t i = 0; i < ages.size(); ++i) {
     const bool concerned = config.mask == nullptr || config.mask[i] != 0;
-    if (concerned && ages[i]) kits[i] = object.family->grown(*object.batch.kit(i), {ages[i]});
+    if (concerned && ages[i]) compiled[i] = object.batch.aging(i).with({ages[i]});
   }
-  return kits;
+  return compiled;
 }
 
 template <typename T>
@@ -118,9 +120,10 @@ mimo_status mimo_batch_create(const mimo_scene* scene, const mimo_env_config* en
     const mimo_batch_config many = read_struct(batch_config, default_batch_config(), "batch_config");
     const batch::Options options = batch_options(many);
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
-    blueprint::FamilyPtr family = make_family(blueprint, read_struct(env_config, default_env_config(), "env_config"));
-    const batch::Kits kits = kits_of(*family, many, blueprint.log());
-    auto object = std::make_unique<BatchObject>(std::move(family), kits, options);
+    blueprint::WorldsByAgePtr worlds =
+        worlds_of(blueprint, read_struct(env_config, default_env_config(), "env_config"));
+    const batch::CompiledWorlds compiled = compiled_worlds_of(*worlds, many, blueprint.log());
+    auto object = std::make_unique<BatchObject>(worlds, compiled, options);
     BatchObject& inside = *object;
     inside.handle = result = wrap<mimo_batch>(std::move(object));
   });
@@ -171,7 +174,7 @@ mimo_status mimo_batch_reset(mimo_batch* batch, const mimo_batch_reset_config* c
     check_per_world(inner, ours.worlds, ours.seeds != nullptr || ours.mask != nullptr || ours.growth != nullptr);
     std::uint8_t* start = blocks_of(inner, blocks, block_bytes, "blocks");
     inner.require_idle();
-    inner.reset(ours.seeds, ours.mask, start, kits_of(object, ours));
+    inner.reset(ours.seeds, ours.mask, start, compiled_worlds_of(object, ours));
   });
 }
 

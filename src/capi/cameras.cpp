@@ -61,7 +61,7 @@ mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* c
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a camera needs at least a name");
     const blueprint::CameraPlan plan = plan_from(read_struct(config, "config"));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.add_camera(plan); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.add_camera(plan); });
   });
 }
 

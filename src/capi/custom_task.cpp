@@ -214,7 +214,7 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     env::CustomTask own;
     if (task != nullptr) own = maker(task_plan(read_struct(task, "task")));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.task = std::move(own); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.task = std::move(own); });
   });
 }
 

@@ -5,7 +5,6 @@
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "env/succession.h"
 
 namespace mimo::capi {
 
@@ -70,59 +69,28 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   return options;
 }
 
-blueprint::FamilyPtr make_family(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
-  return std::make_shared<blueprint::Family>(blueprint.draft(), env_options(config),
-                                             log_sink(config.log, config.log_user));
+blueprint::WorldsByAgePtr worlds_of(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
+  return std::make_shared<blueprint::WorldsByAge>(blueprint.current(), env_options(config),
+                                                  log_sink(config.log, config.log_user));
 }
 
-EnvObject::EnvObject(blueprint::FamilyPtr of, env::KitPtr like, std::unique_ptr<env::World> world)
-    : family(std::move(of)),
-      own_kit(std::move(like)),
-      owned(std::move(world)),
-      description(describe(*owned)),
-      own_layout(capi::own_layout(description)),
+EnvObject::EnvObject(blueprint::WorldsByAgePtr worlds, env::CompiledWorldPtr compiled)
+    : owned(std::make_unique<blueprint::AgingWorld>(std::move(worlds), std::move(compiled),
+                                                    blueprint::Surroundings{identity()})),
+      own_layout(capi::own_layout(owned->description())),
       layout(own_layout.get()) {}
 
-EnvObject::EnvObject(blueprint::FamilyPtr of, env::KitPtr like)
-    : EnvObject(std::move(of), like, env::make_world(*like, like->services, identity())) {}
-
-EnvObject::EnvObject(blueprint::FamilyPtr of, env::KitPtr like, const env::World& original)
-    : EnvObject(std::move(of), like, blueprint::clone(*like, original, identity())) {}
-
-void EnvObject::reset(const blueprint::Ages& ages, const std::uint64_t* seed, std::uint8_t* block) {
-  if (ages.empty()) return world().reset(seed, block);
-  world().require_ready_to_reset();
-  const env::KitPtr next = family->grown(*kit(), ages);
-  next == kit() ? world().reset(seed, block) : become(next, seed, block);
-}
-
-void EnvObject::grow(const std::vector<growth::Growth>& growths) {
-  const std::vector<env::AgentOptions>& agents = kit()->agents;
-  blueprint::Ages ages(agents.size());
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    if (agents[i].root.empty() && growths.at(i) != agents[i].growth) ages[i] = growths[i];
-  }
-  world().require_ready_to_reset();
-  const env::KitPtr next = family->grown(*kit(), ages);
-  if (next != kit()) become(next, nullptr, nullptr);
-}
-
-void EnvObject::become(const env::KitPtr& next, const std::uint64_t* seed, std::uint8_t* block) {
-  if (batch != nullptr) return batch->reset_world(number, next, seed, block);
-  auto successor = env::make_world(*next, next->services, identity());
-  env::Description changed = env::describe(*successor);
-  check_alike(*description.read(), changed);
-  env::take_over(owned, std::move(successor), seed, block);
-  own_kit = next;
-  description.adopt(std::move(changed));
-}
+EnvObject::EnvObject(const EnvObject& original)
+    : owned(std::make_unique<blueprint::AgingWorld>(original.aging(), identity())),
+      own_layout(capi::own_layout(owned->description())),
+      layout(own_layout.get()) {}
 
 namespace {
 
 mimo_env* make_env(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
-  blueprint::FamilyPtr family = make_family(blueprint, config);
-  env::KitPtr kit = family->as_described({}, blueprint.log());
-  return wrap_env(std::make_unique<EnvObject>(std::move(family), std::move(kit)));
+  blueprint::WorldsByAgePtr worlds = worlds_of(blueprint, config);
+  env::CompiledWorldPtr compiled = worlds->as_described({}, blueprint.log());
+  return wrap_env(std::make_unique<EnvObject>(std::move(worlds), std::move(compiled)));
 }
 
 }  // namespace
@@ -171,8 +139,7 @@ mimo_status mimo_env_frame_skip(const mimo_env* env, uint32_t* frame_skip) noexc
 mimo_status mimo_env_clone(const mimo_env* env, mimo_env** clone) noexcept {
   return guard(env, [&] {
     mimo_env*& result = out(clone, "clone");
-    const EnvObject& original = open(env);
-    result = wrap_env(std::make_unique<EnvObject>(original.family, original.kit(), original.world()));
+    result = wrap_env(std::make_unique<EnvObject>(open(env)));
   });
 }
 

@@ -8,6 +8,6 @@ namespace mimo::capi {
 mimo_env_config default_env_config();
 env::EnvOptions env_options(const mimo_env_config& config);
 
-blueprint::FamilyPtr make_family(const blueprint::Blueprint& blueprint, const mimo_env_config& config);
+blueprint::WorldsByAgePtr worlds_of(const blueprint::Blueprint& blueprint, const mimo_env_config& config);
 
 }  // namespace mimo::capi

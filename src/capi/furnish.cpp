@@ -114,7 +114,7 @@ mimo_status mimo_scene_set_room(mimo_scene* scene, const char* name) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.set_room(name); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.set_room(name); });
   });
 }
 
@@ -123,7 +123,7 @@ mimo_status mimo_scene_add_object(mimo_scene* scene, const mimo_object_config* c
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but an object needs at least a name");
     const scene::Object object = object_from(read_struct(config, "config"));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.add_object(object); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.add_object(object); });
   });
 }
 
@@ -132,7 +132,7 @@ mimo_status mimo_scene_add_model(mimo_scene* scene, const mimo_model_config* con
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a model needs at least a name and a document");
     const scene::Model model = model_from(read_struct(config, "config"));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.add_model(model); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.add_model(model); });
   });
 }
 
@@ -145,7 +145,7 @@ mimo_status mimo_scene_weld(mimo_scene* scene, const char* body, const char* oth
     if (other != nullptr) weld.other = other;
     std::optional<scene::Pose> relative;
     if (pose != nullptr) relative = pose_from(pose);
-    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.weld(weld, relative ? &*relative : nullptr); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.weld(weld, relative ? &*relative : nullptr); });
   });
 }
 
@@ -153,7 +153,7 @@ mimo_status mimo_scene_lock(mimo_scene* scene, const char* joint, double value) 
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(joint != nullptr, "joint is NULL");
-    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.lock_joint(joint, value); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.lock_joint(joint, value); });
   });
 }
 
@@ -161,7 +161,7 @@ mimo_status mimo_scene_set_pose(mimo_scene* scene, const char* joint, double val
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(joint != nullptr, "joint is NULL");
-    blueprint.edit([&](blueprint::Draft& draft) { draft.scene.start_joint(joint, value); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.start_joint(joint, value); });
   });
 }
 

@@ -1,7 +1,7 @@
 // mimo_growth, from the caller's form to ours.
 #pragma once
 
-#include "blueprint/family.h"
+#include "blueprint/worlds_by_age.h"
 #include "growth/growth.h"
 #include "mimo/growth.h"
 

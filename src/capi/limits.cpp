@@ -52,7 +52,7 @@ mimo_status mimo_scene_limit_sense(mimo_scene* scene, size_t agent, const char* 
     const std::string where = text(path);
     require(!where.empty(), "path is {}, expected that of a sense or field", path == nullptr ? "NULL" : "\"\"");
     const observation::Limits ours = limits_from(read_struct(limits, default_limits(), "limits"));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.agents.limit_sense(agent, where, ours); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.limit_sense(agent, where, ours); });
   });
 }
 
@@ -62,7 +62,7 @@ mimo_status mimo_scene_limit_motor(mimo_scene* scene, size_t agent, const char* 
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(path != nullptr, "path is NULL, expected that of a motor, a part of the body, or \"\" for all");
     const observation::Limits ours = limits_from(read_struct(limits, default_limits(), "limits"));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.agents.limit_motor(agent, path, ours); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.limit_motor(agent, path, ours); });
   });
 }
 

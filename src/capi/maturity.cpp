@@ -95,7 +95,7 @@ mimo_status mimo_scene_set_maturity(mimo_scene* scene, size_t agent, const mimo_
       const mimo_maturity config = read_struct(maturity, perfect(), "maturity");
       ours = env::Maturity{eyes_from(config), nerves_from(config)};
     }
-    blueprint.edit([&](blueprint::Draft& draft) { draft.agents.set_maturity(agent, ours); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.set_maturity(agent, ours); });
   });
 }
 
@@ -103,9 +103,9 @@ mimo_status mimo_scene_set_sensory_delay(mimo_scene* scene, size_t agent, const 
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     within(seconds, 0, kMostDelay, "seconds", "");
-    blueprint.edit([&](blueprint::Draft& draft) {
-      if (body == nullptr) return draft.agents.set_sensory_delay(agent, seconds);
-      draft.agents.set_sensory_delay(agent, body, seconds, draft.scene);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      if (body == nullptr) return edit.agents.set_sensory_delay(agent, seconds);
+      edit.agents.set_sensory_delay(agent, body, seconds, edit.scene);
     });
   });
 }

@@ -7,8 +7,8 @@
 
 #include "base/fail.h"
 #include "batch/batch.h"
+#include "blueprint/aging_world.h"
 #include "blueprint/blueprint.h"
-#include "blueprint/family.h"
 #include "capi/handle.h"
 #include "capi/report.h"
 #include "env/attached.h"
@@ -39,24 +39,17 @@ struct BatchObject;
 
 // A world of its own, or the view of one in a batch, which answers with the batch's layout.
 struct EnvObject {
-  EnvObject(blueprint::FamilyPtr of, env::KitPtr like);
-  // In the state that a world of this kit is in.
-  EnvObject(blueprint::FamilyPtr of, env::KitPtr like, const env::World& original);
+  EnvObject(blueprint::WorldsByAgePtr worlds, env::CompiledWorldPtr compiled);
+  // In the state that another world is in.
+  explicit EnvObject(const EnvObject& original);
   EnvObject(BatchObject& all, std::size_t which);
 
-  // Until a reset to another age.
-  env::World& world() const { return batch == nullptr ? *owned : batch->world(number); }
-  const env::KitPtr& kit() const { return batch == nullptr ? own_kit : batch->kit(number); }
-  void reset(const blueprint::Ages& ages, const std::uint64_t* seed, std::uint8_t* block);
-  // Its agents become these; an episode starts where they are others than now.
-  void grow(const std::vector<growth::Growth>& growths);
+  blueprint::AgingWorld& aging() const { return batch == nullptr ? *owned : batch->aging(number); }
+  env::World& world() const { return aging().world(); }  // until a reset to another age
 
-  blueprint::FamilyPtr family;
   mimo_env* handle = nullptr;
   // Of a world of its own.
-  env::KitPtr own_kit;
-  std::unique_ptr<env::World> owned;
-  env::LiveDescription description;
+  std::unique_ptr<blueprint::AgingWorld> owned;
   OwnLayout own_layout;
   // Of any.
   const mimo_layout* layout;
@@ -66,8 +59,6 @@ struct EnvObject {
   env::LoadReport loaded;
 
  private:
-  EnvObject(blueprint::FamilyPtr of, env::KitPtr like, std::unique_ptr<env::World> world);
-  void become(const env::KitPtr& next, const std::uint64_t* seed, std::uint8_t* block);
   env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
 };
 
@@ -91,12 +82,12 @@ struct Views {
 };
 
 struct BatchObject {
-  BatchObject(blueprint::FamilyPtr of, const batch::Kits& kits, const batch::Options& options);
+  BatchObject(const blueprint::WorldsByAgePtr& worlds, const batch::CompiledWorlds& compiled,
+              const batch::Options& options);
   // The handle of a world, made when first asked for.
   mimo_env* view(std::size_t world);
 
   const mimo_batch* handle = nullptr;
-  blueprint::FamilyPtr family;
   // Before the batch, which waits for its work when it goes: tasks may be at work with them until then.
   Views views;
   batch::Batch batch;
@@ -105,8 +96,8 @@ struct BatchObject {
 };
 
 struct SensesObject {
-  SensesObject(const env::Kit& kit, double step)
-      : attached(kit, step), description(describe(attached)), layout(own_layout(description)) {}
+  SensesObject(const env::CompiledWorld& compiled, double step)
+      : attached(compiled, step), description(describe(attached)), layout(own_layout(description)) {}
 
   env::Attached attached;
   env::LiveDescription description;

@@ -64,16 +64,6 @@ recording::Options options_from(const char* path, const mimo_recorder_config& co
   return options;
 }
 
-// Calls play(stage) with the world of a handle.
-template <typename Play>
-void on_stage(mimo_env* env, Play&& play) {
-  const Use<mimo_env> use(env);
-  EnvObject& object = open(env);
-  const auto world = [&]() -> env::World& { return object.world(); };
-  const auto grow = [&](const recording::Growths& growths) { object.grow(growths); };
-  play(recording::Stage{env, world, grow});
-}
-
 }  // namespace
 }  // namespace mimo::capi
 
@@ -178,11 +168,11 @@ mimo_status mimo_recording_seek(mimo_recording* recording, mimo_env* env, size_t
                                 size_t* at) noexcept {
   return guard(recording, [&] {
     recording::Recording& inside = open(recording).recording;
-    on_stage(env, [&](const recording::Stage& stage) {
-      check_flag(compare_fields, "compare_fields");
-      const std::size_t begin = inside.seek(stage, step, compare_fields != 0);
-      if (at != nullptr) *at = begin;
-    });
+    const Use<mimo_env> use(env);
+    blueprint::AgingWorld& target = open(env).aging();
+    check_flag(compare_fields, "compare_fields");
+    const std::size_t begin = inside.seek(target, step, compare_fields != 0);
+    if (at != nullptr) *at = begin;
   });
 }
 
@@ -190,11 +180,11 @@ mimo_status mimo_recording_step(mimo_recording* recording, mimo_env* env, void* 
                                 const mimo_env_results* results) noexcept {
   return guard(recording, [&] {
     recording::Recording& inside = open(recording).recording;
-    on_stage(env, [&](const recording::Stage& stage) {
-      const env::World& world = stage.world();
-      const env::Results to = results_of(world, results);
-      inside.play(stage, block_of(world.layout(), block, block_bytes), to);
-    });
+    const Use<mimo_env> use(env);
+    blueprint::AgingWorld& target = open(env).aging();
+    const env::World& world = target.world();
+    const env::Results to = results_of(world, results);
+    inside.play(target, block_of(world.layout(), block, block_bytes), to);
   });
 }
 

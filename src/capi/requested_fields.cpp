@@ -56,7 +56,7 @@ mimo_status mimo_scene_add_field(mimo_scene* scene, const mimo_field_config* con
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a field needs at least a name");
     const env::FieldOptions field = options_from(read_struct(config, "config"));
-    blueprint.edit([&](blueprint::Draft& draft) { draft.fields.add(field); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.fields.add(field); });
   });
 }
 

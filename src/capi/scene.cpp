@@ -64,7 +64,7 @@ void mimo_scene_destroy(mimo_scene* scene) noexcept { destroy(scene); }
 
 mimo_status mimo_scene_xml(const mimo_scene* scene, char* text, size_t capacity, size_t* length) noexcept {
   return guard(scene, [&] {
-    const std::string xml = open(scene).blueprint.draft().scene.xml();
+    const std::string xml = open(scene).blueprint.current().scene.xml();
     check_buffer(text, capacity, xml.size() + 1, "text");
     if (text != nullptr) std::copy_n(xml.c_str(), xml.size() + 1, text);
     if (length != nullptr) *length = xml.size();
@@ -76,7 +76,7 @@ mimo_status mimo_scene_save(const mimo_scene* scene, const char* folder) noexcep
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string path = text(folder);
     require(!path.empty(), "folder is {}, expected a path", folder == nullptr ? "NULL" : "\"\"");
-    blueprint.draft().scene.save(path);
+    blueprint.current().scene.save(path);
   });
 }
 

@@ -58,8 +58,9 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const
             ours.step);
     const env::EnvOptions options = picture_options(ours);
     engine::ModelPtr theirs = engine::adopt({model, ours.mujoco_version, ours.model_size, ours.data_size});
-    const env::Kit kit = around(blueprint.draft(), std::move(theirs), options, log_sink(ours.log, ours.log_user));
-    result = wrap<mimo_senses>(std::make_unique<SensesObject>(kit, ours.step));
+    const env::CompiledWorld compiled =
+        around(blueprint.current(), std::move(theirs), options, log_sink(ours.log, ours.log_user));
+    result = wrap<mimo_senses>(std::make_unique<SensesObject>(compiled, ours.step));
   });
 }
 

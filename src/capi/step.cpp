@@ -38,7 +38,7 @@ mimo_status mimo_env_reset(mimo_env* env, const mimo_reset_config* config, void*
     const mimo_reset_config ours = read_struct(config, mimo_reset_config{}, "config");
     const Seed seed = seed_of(ours);
     const blueprint::Ages ages = ages_from(ours.growth, ours.growth_count, "growth");
-    object.reset(ages, seed.pointer(), block_of(object.world().layout(), block, block_bytes));
+    object.aging().reset(ages, seed.pointer(), block_of(object.world().layout(), block, block_bytes));
   });
 }
 

@@ -38,7 +38,7 @@ mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    blueprint.edit([&](blueprint::Draft& draft) { draft.parameters.set(name, value); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.parameters.set(name, value); });
   });
 }
 
@@ -46,7 +46,7 @@ mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, 
   return guard(scene, [&] {
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    out(value, "value") = blueprint.draft().parameters[name];
+    out(value, "value") = blueprint.current().parameters[name];
   });
 }
 

@@ -17,7 +17,7 @@ std::string body_name(const char* body) {
 }
 
 void add(mimo_scene* scene, const env::ThingOptions& thing) {
-  open(scene).blueprint.edit([&](blueprint::Draft& draft) { draft.things.push_back(thing); });
+  open(scene).blueprint.edit([&](blueprint::SceneEdit& edit) { edit.things.push_back(thing); });
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ mimo_status mimo_scene_set_room_temperature(mimo_scene* scene, double celsius) n
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(celsius >= -40 && celsius <= 80, "celsius is {}, expected -40 to 80 degrees of a room", celsius);
-    blueprint.edit([&](blueprint::Draft& draft) { draft.room_temperature = celsius; });
+    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.room_temperature = celsius; });
   });
 }
 

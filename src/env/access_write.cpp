@@ -234,10 +234,10 @@ void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<
 }
 
 void set(World& world, Quantity quantity, const Ids& ids, Span<const double> values) {
-  engine::Physics& physics = world.physics();
-  // Who made a world fail with what a reset does not take back has to be able to take it back.
-  if (traits(quantity).writing != Writing::kWorld) physics.require_usable();
+  // Values that survive a reset stay writable in a failed world, so that the caller can undo what broke it.
+  if (traits(quantity).writing != Writing::kWorld) std::as_const(world).physics().require_usable();
   check_settable(world, quantity, ids, values);
+  engine::Physics& physics = world.physics();
   if (quantity == Quantity::kBodyMass) return write_masses(physics, ids, values);
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -8,7 +8,7 @@
 
 #include "actuation/motor_path.h"
 #include "body/faces.h"
-#include "env/kit.h"
+#include "env/compiled_world.h"
 #include "env/perception.h"
 #include "tasks/task.h"
 

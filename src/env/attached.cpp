@@ -13,23 +13,23 @@
 
 namespace mimo::env {
 
-Attached::Attached(const Kit& kit, double step)
-    : model_(kit.model), step_seconds_(step > 0 ? step : model_->opt.timestep), limits_(observer_) {
-  if (draws(kit.agents, kit.options)) renderer_ = make_renderer(model_, kit.options, kit.services);
-  soundscape_ = add_soundscape(observer_, *model_, step_seconds_, kit.agents, kit.options);
-  const Setting setting{step_seconds_, things_of(*model_, kit.agents, kit.options), 1, soundscape_};
-  for (const AgentOptions& agent : kit.agents) add_agent(agent, setting);
+Attached::Attached(const CompiledWorld& compiled, double step)
+    : model_(compiled.model), step_seconds_(step > 0 ? step : model_->opt.timestep), limits_(observer_) {
+  if (draws(compiled.agents, compiled.options)) renderer_ = make_renderer(model_, compiled.options, compiled.services);
+  soundscape_ = add_soundscape(observer_, *model_, step_seconds_, compiled.agents, compiled.options);
+  const Setting setting{step_seconds_, things_of(*model_, compiled.agents, compiled.options), 1, soundscape_};
+  for (const AgentOptions& agent : compiled.agents) add_agent(agent, setting);
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
   }
-  for (const CameraOptions& camera : kit.options.cameras) {
+  for (const CameraOptions& camera : compiled.options.cameras) {
     observer_.add(make_camera(*model_, camera, renderer_.get()));
   }
-  if (!kit.options.fields.empty()) {
-    observer_.add(std::make_unique<RequestedFields>(*model_, nullptr, kit.options.fields));
+  if (!compiled.options.fields.empty()) {
+    observer_.add(std::make_unique<RequestedFields>(*model_, nullptr, compiled.options.fields));
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const AgentOptions& agent = kit.agents[i];
+    const AgentOptions& agent = compiled.agents[i];
     limits_.add(agent.prefix(), agent.limits, nature_of_senses(*model_, agents_[i], agent), clock());
   }
   for (int motor = 0; motor < model_->nu; ++motor) {

@@ -20,7 +20,7 @@ class Attached {
  public:
   // The model outlives this object. Of the options only those of pictures count. `step` is what the host calls a step,
   // in seconds; 0: a time step of the model.
-  Attached(const Kit& kit, double step);
+  Attached(const CompiledWorld& compiled, double step);
   Attached(const Attached&) = delete;
   Attached& operator=(const Attached&) = delete;
 

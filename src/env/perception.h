@@ -7,7 +7,7 @@
 
 #include "actuation/actuation.h"
 #include "body/body.h"
-#include "env/kit.h"
+#include "env/compiled_world.h"
 #include "observation/sense.h"
 #include "senses/touch/things.h"
 #include "senses/touch/touch.h"

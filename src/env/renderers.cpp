@@ -2,7 +2,7 @@
 #include <array>
 
 #include "base/fail.h"
-#include "env/kit.h"
+#include "env/compiled_world.h"
 #include "opengl/renderer.h"
 #include "rays/renderer.h"
 #include "render/shelf.h"

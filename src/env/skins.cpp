@@ -1,5 +1,5 @@
 // Skins that worlds share.
-#include "env/kit.h"
+#include "env/compiled_world.h"
 
 namespace mimo::env {
 

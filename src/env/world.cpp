@@ -78,12 +78,12 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
 }
 
 World::~World() {
-  if (listener_ != nullptr) listener_->ends(*this);
+  if (step_observer_ != nullptr) step_observer_->ends(*this);
 }
 
-void World::take_listener(World& before) {
-  listener_ = std::move(before.listener_);
-  if (listener_ != nullptr) listener_->goes_on_in(*this);
+void World::take_step_observer(World& before) {
+  step_observer_ = std::move(before.step_observer_);
+  if (step_observer_ != nullptr) step_observer_->goes_on_in(*this);
 }
 
 void World::warn(const std::string& text) const {
@@ -113,6 +113,7 @@ void World::require_outside_task() const {
 }
 
 void World::succeed(const World& before) {
+  changes_ = before.changes_ + 1;
   random_ = before.random_;
   episode_ = before.episode_;
   timing_ = before.timing_;
@@ -206,6 +207,7 @@ bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
 
 void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   require_ready_to_reset();
+  ++changes_;
   if (seed != nullptr) random_.reseed(*seed);
   episode_.start(random_, seed != nullptr);
   start();
@@ -255,16 +257,17 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   require_outside_task();
   physics_.require_usable();
   physics_.require_undisturbed();
-  if (listener_ == nullptr) return go(actions, block, results);
-  const std::shared_ptr<Listener> listener = listener_;  // a task or the log may let it go
-  std::uint8_t* const filled = listener->step_begins(*this, block);
+  if (step_observer_ == nullptr) return go(actions, block, results);
+  const std::shared_ptr<StepObserver> observer = step_observer_;  // a task or the log may let it go
+  std::uint8_t* const filled = observer->step_begins(*this, block);
   try {
     go(actions, filled, results);
   } catch (...) {
-    listener->step_failed();
+    ++changes_;
+    observer->step_failed();
     throw;
   }
-  listener->step_ends(*this, actions, filled);
+  observer->step_ends(*this, actions, filled);
 }
 
 void World::go(Span<const float> actions, std::uint8_t* block, const Results& results) {
@@ -308,6 +311,7 @@ void World::follow(Span<const double> positions, Span<double> forces, std::uint8
     fail(Status::kUnsupported, "movements are followed in models with MuJoCo's integrator Euler only");
   }
   const Stopwatch total(options_.timing, timing_.total);
+  ++changes_;
   const auto nq = static_cast<std::size_t>(model().nq), nv = static_cast<std::size_t>(model().nv);
   advance([&](int done, bool sensors) {
     const auto number = static_cast<std::size_t>(done);
@@ -354,6 +358,7 @@ void World::step_physics(int count) {
   require_outside_task();
   physics_.require_usable();
   physics_.require_undisturbed();
+  ++changes_;
   step_contacts_.begin();
   for (int i = 0; i < count; ++i) {
     step_once(i + 1 == count);
@@ -458,6 +463,7 @@ bool World::over() const {
 }
 
 void World::show_face(std::size_t agent, int face) {
+  ++changes_;
   physics_.paint(agents_[agent].faces.geom, faces_[static_cast<std::size_t>(face)].material);
 }
 
@@ -475,6 +481,7 @@ void World::draw(const render::Viewpoint& from, const render::Picture& picture) 
 }
 
 void World::play(const std::string& body, Span<const float> samples, double rate) {
+  ++changes_;
   env::play(soundscape_, model(), body, samples, rate);
 }
 
@@ -485,6 +492,7 @@ void World::save(Span<std::uint8_t> state) const {
 
 LoadReport World::load(Span<const std::uint8_t> state) {
   require_outside_task();
+  ++changes_;
   LoadReport report = archive_.load(state);
   step_contacts_.begin();
   return report;

@@ -8,11 +8,11 @@
 #include "engine/physics.h"
 #include "engine/present.h"
 #include "env/agent.h"
+#include "env/compiled_world.h"
 #include "env/episode.h"
-#include "env/kit.h"
-#include "env/listener.h"
 #include "env/state.h"
 #include "env/step_contacts.h"
+#include "env/step_observer.h"
 #include "env/timing.h"
 #include "observation/observer.h"
 #include "render/viewpoint.h"
@@ -45,7 +45,11 @@ class World {
 
   const mjModel& model() const { return physics_.model(); }
   const mjData& data() const { return physics_.data(); }
-  engine::Physics& physics() { return physics_; }
+  // For whoever changes it: counts as a change.
+  engine::Physics& physics() {
+    ++changes_;
+    return physics_;
+  }
   const engine::Physics& physics() const { return physics_; }
   const std::vector<Agent>& agents() const { return agents_; }
   const observation::Layout& layout() const { return observer_.layout(); }
@@ -60,8 +64,15 @@ class World {
   double step_seconds() const { return options_.frame_skip * model().opt.timestep; }
   const std::string& task_name() const { return options_.task; }
 
-  // The stream that all of the world's random numbers come from.
-  Random& random() { return random_; }
+  // The stream that all of the world's random numbers come from. Drawing one counts as a change.
+  Random& random() {
+    ++changes_;
+    return random_;
+  }
+
+  // How often something else than a step may have changed what a state holds: resets, loaded states, values that were
+  // set, physics alone, steps that failed. It tells observers of steps whether the world is as the last one left it.
+  std::uint64_t changes() const { return changes_; }
 
   // Whether a task is at work in it right now.
   bool in_task() const { return in_task_; }
@@ -88,6 +99,8 @@ class World {
   // Physics alone, with the controls as they are.
   void step_physics(int count);
   void observe(std::uint8_t* block);
+  // Poses follow the joints at once, without a step.
+  void update_poses() { physics_.update_poses(); }
   // A body plays samples from the next physics step on: see env/sounds.h.
   void play(const std::string& body, Span<const float> samples, double rate);
 
@@ -104,10 +117,10 @@ class World {
   int face(std::size_t agent) const;  // -1 for an agent that shows none of them
 
   // Who is told of each step; null: nobody.
-  const std::shared_ptr<Listener>& listener() const { return listener_; }
-  void tell(std::shared_ptr<Listener> listener) { listener_ = std::move(listener); }
-  // The listener of a world whose place this one has taken.
-  void take_listener(World& before);
+  const std::shared_ptr<StepObserver>& step_observer() const { return step_observer_; }
+  void tell(std::shared_ptr<StepObserver> observer) { step_observer_ = std::move(observer); }
+  // The observer of a world whose place this one has taken.
+  void take_step_observer(World& before);
   // Tells the user.
   void warn(const std::string& text) const;
 
@@ -171,7 +184,8 @@ class World {
   bool in_task_ = false;  // a task is at work, and must not start or step the world that it is part of
   Timing timing_;
   Archive archive_;
-  std::shared_ptr<Listener> listener_;
+  std::shared_ptr<StepObserver> step_observer_;
+  std::uint64_t changes_ = 0;
 };
 
 }  // namespace mimo::env

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "blueprint/worlds_by_age.h"
 #include "env/world.h"
-#include "growth/growth.h"
 
 namespace mimo::recording {
 
-using Growths = std::vector<growth::Growth>;  // by agent
+using blueprint::Growths;
 
 Growths growths_of(const env::World& world);
 

@@ -90,7 +90,7 @@ void save(const env::World& world, std::vector<std::uint8_t>& state) {
 
 std::shared_ptr<Recorder> Recorder::follow(env::World& world, const Options& options) {
   if (world.in_task()) fail(Status::kBusy, "env is within a step or a reset, where no recording can begin");
-  if (world.listener() != nullptr) fail(Status::kBusy, "env is being recorded already");
+  if (world.step_observer() != nullptr) fail(Status::kBusy, "env is being recorded already");
   std::shared_ptr<Recorder> recorder(new Recorder(world, options));
   world.tell(recorder);
   return recorder;
@@ -170,13 +170,15 @@ std::uint8_t* Recorder::step_begins(const env::World& world, std::uint8_t* block
 }
 
 void Recorder::begin(const env::World& world) {
-  save(world, state_);
-  const bool first = steps_ == 0 && after_step_.empty(), changed = !first && state_ != after_step_;
-  if (changed || static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(world, changed);
+  const bool anew = changed(world);
+  if (anew || static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(world, anew);
   if (!begun_) begun_ = file_->flush_if_free();  // from here on a run that is killed can be replayed
 }
 
+bool Recorder::changed(const env::World& world) const { return steps_ > 0 && world.changes() != changes_; }
+
 void Recorder::keep_state(const env::World& world, bool changed) {
+  save(world, state_);
   Growths body = growths_of(world);
   if (body != body_) {
     body_ = std::move(body);
@@ -196,6 +198,7 @@ void Recorder::step_ends(env::World& world, Span<const float> actions, const std
   {
     const std::lock_guard alone(mutex_);
     attempt([&] { write(world, actions, block); });
+    changes_ = world.changes();
     stepping_ = false;
     complains = !trouble_.empty() && !told_;
     told_ = told_ || complains;
@@ -218,7 +221,6 @@ void Recorder::write(const env::World& world, Span<const float> actions, const s
   read_joints(world, env::Quantity::kJointVelocity, numbers_);
   file_->append(kJointVelocity, numbers_.data());
   for (const Kept& field : fields_) file_->append(field.table, block + field.offset);
-  save(world, after_step_);
   if (std::chrono::duration<double>(Clock::now() - flushed_).count() < flush_seconds_) return;
   if (file_->flush_if_free()) flushed_ = Clock::now();
 }
@@ -249,13 +251,8 @@ void Recorder::ends(const env::World&) noexcept {
 // The last state, if the world has one, and the file is closed.
 void Recorder::finish() noexcept {
   attempt([&] {
-    bool sound = true;
-    try {
-      save(*world_, state_);
-    } catch (const Error&) {
-      sound = false;
-    }
-    if (sound) keep_state(*world_, !after_step_.empty() && state_ != after_step_);
+    const env::World& world = *world_;
+    if (!world.physics().failed()) keep_state(world, changed(world));
     file_->close();
   });
   file_.reset();

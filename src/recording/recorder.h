@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "env/listener.h"
+#include "env/step_observer.h"
 #include "recording/bodies.h"
 #include "recording/file.h"
 
@@ -23,9 +23,9 @@ struct Options {
   std::string configuration, seed, build;  // attributes
 };
 
-// Between two steps a host may do anything to its world. What that was does not matter: where the state is not the one
-// that the last step left, it is kept, and marked as one that a replay has to load.
-class Recorder : public env::Listener {
+// Between two steps a host may do anything to its world. What that was does not matter: where the world tells that
+// something may have changed since the last step, its state is kept, and marked as one that a replay has to load.
+class Recorder : public env::StepObserver {
  public:
   // Throws before the file is made where an option is wrong. The world tells it of its steps from now on.
   static std::shared_ptr<Recorder> follow(env::World& world, const Options& options);
@@ -54,6 +54,7 @@ class Recorder : public env::Listener {
   Recorder(env::World& world, const Options& options);
   void describe(const env::World& world, const Options& options);
   void describe_fields(const env::World& world, const std::vector<std::size_t>& kept);  // by number
+  bool changed(const env::World& world) const;
   void keep_state(const env::World& world, bool changed);
   void begin(const env::World& world);
   void write(const env::World& world, Span<const float> actions, const std::uint8_t* block);
@@ -72,7 +73,8 @@ class Recorder : public env::Listener {
   std::size_t state_every_;  // steps
   double step_seconds_, flush_seconds_;
   std::vector<Kept> fields_;
-  std::vector<std::uint8_t> own_block_, state_, after_step_;  // the last two: now, and as the last step left it
+  std::uint64_t changes_ = 0;  // of the world, when the last step ended
+  std::vector<std::uint8_t> own_block_, state_;
   std::vector<float> actions_;
   std::vector<double> numbers_;
   Growths body_;

@@ -98,21 +98,21 @@ void Recording::require_fitting(const env::World& world, bool compare_fields) co
   }
 }
 
-std::size_t Recording::seek(const Stage& stage, std::size_t step, bool compare_fields) {
+std::size_t Recording::seek(blueprint::AgingWorld& target, std::size_t step, bool compare_fields) {
   require(step <= steps_, "step is {}, but {} ends at step {}", step, file_.path(), steps_);
   const auto later = [&](const State& state) { return state.step > step; };
   const auto end = std::find_if(states_.begin(), states_.end(), later);
   require(end != states_.begin(), "{} has no state to start from: it was cut off before its first flush", file_.path());
-  require_fitting(stage.world(), compare_fields);
-  stage.world().require_ready_to_reset();
+  require_fitting(target.world(), compare_fields);
+  target.world().require_ready_to_reset();
   const std::size_t state = static_cast<std::size_t>(end - states_.begin()) - 1;
-  host_ = nullptr;
-  if (bodies_ == 0 || growths_of(stage.world()) == growths_of_state(state)) {
+  target_ = nullptr;
+  if (bodies_ == 0 || growths_of(target.world()) == growths_of_state(state)) {
     const std::uint64_t seed = 0;
-    stage.world().reset(&seed, nullptr);  // senses of other sizes begin fresh
+    target.world().reset(&seed, nullptr);  // senses of other sizes begin fresh
   }
-  enter(stage, state);
-  host_ = stage.host;
+  enter(target, state);
+  target_ = &target;
   compares_fields_ = compare_fields;
   next_ = states_[state].step;
   next_state_ = state + 1;
@@ -134,21 +134,21 @@ Growths Recording::growths_of_state(std::size_t state) const {
   }
 }
 
-void Recording::enter(const Stage& stage, std::size_t state) {
-  if (bodies_ != 0) stage.grow(growths_of_state(state));
+void Recording::enter(blueprint::AgingWorld& target, std::size_t state) {
+  if (bodies_ != 0) target.grow(growths_of_state(state));
   const std::vector<std::uint8_t> row = file_.row(kStates, state);
   const Span<const std::uint8_t> bytes(row);
-  stage.world().load(env::state_in(bytes));
+  target.world().load(env::state_in(bytes));
 }
 
-void Recording::play(const Stage& stage, std::uint8_t* block, const env::Results& results) {
-  if (host_ == nullptr) fail(Status::kBusy, "recording has no replay: mimo_recording_seek begins one");
-  require(host_ == stage.host, "env is not the world that mimo_recording_seek was given");
+void Recording::play(blueprint::AgingWorld& target, std::uint8_t* block, const env::Results& results) {
+  if (target_ == nullptr) fail(Status::kBusy, "recording has no replay: mimo_recording_seek begins one");
+  require(target_ == &target, "env is not the world that mimo_recording_seek was given");
   if (next_ >= steps_) fail(Status::kNotFound, "{} ends at step {}", file_.path(), steps_);
   for (; next_state_ < states_.size() && states_[next_state_].step <= next_; ++next_state_) {
-    if (states_[next_state_].changed) enter(stage, next_state_);
+    if (states_[next_state_].changed) enter(target, next_state_);
   }
-  env::World& world = stage.world();
+  env::World& world = target.world();
   action_.resize(actions_);
   if (actions_ > 0) {
     file_.read(kActions, next_, 1, {reinterpret_cast<std::uint8_t*>(action_.data()), actions_ * sizeof(float)});

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/function_ref.h"
-#include "env/world.h"
+#include "blueprint/aging_world.h"
 #include "recording/bodies.h"
 #include "recording/file.h"
 
@@ -18,13 +17,6 @@ struct Verdict {
   std::string table;      // where that is, "" where all is identical
   std::size_t first = 0;  // the first step that differed
   std::size_t steps = 0;  // that were played
-};
-
-// The world of a host: what it is known by, itself, and how its infants become others. Then it is another world.
-struct Stage {
-  const void* host;
-  FunctionRef<env::World&()> world;
-  FunctionRef<void(const Growths&)> grow;
 };
 
 class Recording {
@@ -45,9 +37,9 @@ class Recording {
   std::size_t bodies() const { return bodies_; }
 
   // To the last kept state that is not behind a step. Returns the state's own step.
-  std::size_t seek(const Stage& stage, std::size_t step, bool compare_fields);
+  std::size_t seek(blueprint::AgingWorld& target, std::size_t step, bool compare_fields);
   // Plays the next step.
-  void play(const Stage& stage, std::uint8_t* block, const env::Results& results);
+  void play(blueprint::AgingWorld& target, std::uint8_t* block, const env::Results& results);
   const Verdict& verdict() const { return verdict_; }
   std::size_t next() const { return next_; }
 
@@ -61,7 +53,7 @@ class Recording {
   void read_states();
   Growths growths_of_state(std::size_t state) const;
   void require_fitting(const env::World& world, bool compare_fields) const;
-  void enter(const Stage& stage, std::size_t state);
+  void enter(blueprint::AgingWorld& target, std::size_t state);
   // Compares a step that was made, and goes to the next.
   void go_on(const env::World& world, const std::uint8_t* block);
   void compare(const env::World& world, const std::uint8_t* block);
@@ -73,7 +65,7 @@ class Recording {
   std::size_t steps_ = 0, actions_ = 0, agents_ = 0, bodies_ = 0;
   std::vector<State> states_;
   // Of a replay.
-  const void* host_ = nullptr;  // null: none has begun
+  const blueprint::AgingWorld* target_ = nullptr;  // null: none has begun
   bool compares_fields_ = false;
   std::size_t next_ = 0, next_state_ = 0;
   Verdict verdict_;

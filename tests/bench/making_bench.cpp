@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "blueprint/agents.h"
+#include "blueprint/aging_world.h"
 #include "blueprint/blueprint.h"
-#include "blueprint/family.h"
-#include "env/succession.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -56,27 +55,25 @@ class Reference {
   engine::Physics physics_;
 };
 
-struct Made {
-  env::KitPtr kit;
-  std::unique_ptr<env::World> world;
-};
+using WorldPtr = std::unique_ptr<blueprint::AgingWorld>;
 
-Made make(const char* scene) {
-  blueprint::Family family(blueprint::ready_world(scene).draft(), {}, {});
-  const env::KitPtr kit = family.as_described({}, {});
-  return {kit, env::make_world(*kit, kit->services, {})};
+WorldPtr make(const char* scene) {
+  const auto worlds =
+      std::make_shared<blueprint::WorldsByAge>(blueprint::ready_world(scene).current(), env::EnvOptions{}, LogSink{});
+  return std::make_unique<blueprint::AgingWorld>(worlds, worlds->as_described({}, {}), blueprint::Surroundings{});
 }
 
 void bench_making(const char* scene, Reference& reference) {
   constexpr int kTurns = 7;
   std::vector<double> steps, making, cloning;
   for (int turn = 0; turn < kTurns; ++turn) {
-    Made made;
+    WorldPtr made;
     steps.push_back(reference.step());
     making.push_back(milliseconds_of([&] { made = make(scene); }));
     for (int i = 0; i < 5; ++i) {
-      std::unique_ptr<env::World> clone;
-      cloning.push_back(milliseconds_of([&] { clone = blueprint::clone(*made.kit, *made.world, {}); }));
+      WorldPtr clone;
+      cloning.push_back(
+          milliseconds_of([&] { clone = std::make_unique<blueprint::AgingWorld>(*made, env::Identity{}); }));
     }
   }
   const double step = median(steps);

@@ -32,7 +32,7 @@ double resident_kb() {
 }
 
 // Worlds of one model have in common what those of the interface have.
-env::Kit kit_of(const char* scene) {
+env::CompiledWorld compiled_of(const char* scene) {
   env::Services services;
   services.skins = std::make_shared<env::Skins>();
   return {room_with_infant(scene), {blind()}, without_renderer(), services};
@@ -40,8 +40,8 @@ env::Kit kit_of(const char* scene) {
 
 // Worlds that have moved for a second: memory that was never touched is not resident.
 struct Moved {
-  Moved(const env::Kit& kit, std::size_t worlds)
-      : batch(kits_of(kit), options(worlds)),
+  Moved(const env::CompiledWorld& compiled, std::size_t worlds)
+      : batch(compiled_worlds_of(compiled), options(worlds)),
         blocks(worlds * batch.world(0).layout().bytes()),
         actions(worlds * batch.world(0).action_size(), 0.3F) {
     batch::Output output;
@@ -63,10 +63,10 @@ struct Moved {
 
 void bench_memory(const char* scene) {
   constexpr std::size_t kFew = 8, kMore = 64;
-  const env::Kit kit = kit_of(scene);
-  const Moved few(kit, kFew);
+  const env::CompiledWorld compiled = compiled_of(scene);
+  const Moved few(compiled, kFew);
   const double before = resident_kb();
-  const Moved more(kit, kMore);
+  const Moved more(compiled, kMore);
   const double of_one = (resident_kb() - before) / kMore;
   const env::World& world = few.batch.world(0);
   const double data = (static_cast<double>(sizeof(mjData)) + world.data().nbuffer + 8.0 * world.data().nstack) / 1024;
@@ -78,7 +78,7 @@ void bench_memory(const char* scene) {
 }
 
 void bench_state(const char* scene) {
-  Moved moved(kit_of(scene), 1);
+  Moved moved(compiled_of(scene), 1);
   env::World& world = moved.batch.world(0);
   std::vector<std::uint8_t> state(world.state_bytes());
   std::vector<double> times;
@@ -99,7 +99,7 @@ double seconds_of(const std::function<void()>& work) {
 }
 
 void bench_overhead(const char* scene) {
-  Moved moved(kit_of(scene), 16);
+  Moved moved(compiled_of(scene), 16);
   const std::size_t bytes = moved.batch.world(0).layout().bytes(), width = moved.batch.world(0).action_size();
   batch::Output output;
   output.blocks = moved.blocks.data();

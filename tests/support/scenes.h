@@ -80,7 +80,9 @@ inline env::AgentOptions blind() {
 }
 
 // For batches of one age.
-inline std::vector<env::KitPtr> kits_of(env::Kit kit) { return {std::make_shared<const env::Kit>(std::move(kit))}; }
+inline std::vector<env::CompiledWorldPtr> compiled_worlds_of(env::CompiledWorld compiled) {
+  return {std::make_shared<const env::CompiledWorld>(std::move(compiled))};
+}
 
 inline env::EnvOptions without_renderer() {
   env::EnvOptions options;

@@ -22,7 +22,7 @@ class Rig {
  public:
   Rig(const engine::ModelPtr& model, const batch::Options& options, const env::EnvOptions& world_options = {},
       const LogSink& log = {}, const env::AgentOptions& agent = blind())
-      : batch(kits_of({model, {agent}, world_options, {nullptr, nullptr, nullptr, nullptr, log}}), options),
+      : batch(compiled_worlds_of({model, {agent}, world_options, {nullptr, nullptr, nullptr, nullptr, log}}), options),
         block_bytes(batch.world(0).layout().bytes()),
         blocks(options.worlds * block_bytes),
         final_blocks(blocks.size()),
@@ -166,7 +166,7 @@ TEST(Batch, SendAndReceiveAreAStep) {
 TEST(Batch, CanBeDestroyedAtWork) {
   Bytes blocks;
   std::vector<float> actions;
-  Batch batch(kits_of({floating_model(), {blind()}, {}, {}}), sized(6, 2));
+  Batch batch(compiled_worlds_of({floating_model(), {blind()}, {}, {}}), sized(6, 2));
   blocks.resize(6 * batch.world(0).layout().bytes());
   actions.resize(6 * batch.world(0).action_size());
   batch.reset(nullptr, nullptr, nullptr);
@@ -326,7 +326,7 @@ TEST(Batch, AnAgentThatIsCutOffByAnothersEndIsTruncated) {
   agents[1].name = "ben";
   env::EnvOptions world;
   world.custom_task = [](const env::Identity&, std::size_t agent) { return std::make_unique<Ending>(agent == 0); };
-  Batch two(kits_of({compile(scene), agents, world, {}}), sized(2, 2, Autoreset::kNextStep));
+  Batch two(compiled_worlds_of({compile(scene), agents, world, {}}), sized(2, 2, Autoreset::kNextStep));
   two.reset(nullptr, nullptr, nullptr);
   std::vector<std::uint8_t> terminated(4), truncated(4);
   batch::Output output;
@@ -423,18 +423,19 @@ TEST(Batch, SavesAndLoadsManyStates) {
 }
 
 TEST(Batch, HasTheMachinesThreads) {
-  const Batch batch(kits_of({room_with_infant("free"), {blind()}, {}, {}}), sized(2, 0));
+  const Batch batch(compiled_worlds_of({room_with_infant("free"), {blind()}, {}, {}}), sized(2, 0));
   EXPECT_EQ(batch.threads(), std::min(2u, std::max(1u, std::thread::hardware_concurrency())));
 }
 
 // Worlds 0 and 2 are of one model, world 1 of another.
 TEST(Batch, WorldsOfOneModelShareItAndTheirSkin) {
-  const auto kit = [](const engine::ModelPtr& model) {
+  const auto compiled = [](const engine::ModelPtr& model) {
     env::Services services;
     services.skins = std::make_shared<env::Skins>();
-    return std::make_shared<const env::Kit>(env::Kit{model, {blind()}, without_renderer(), services});
+    return std::make_shared<const env::CompiledWorld>(
+        env::CompiledWorld{model, {blind()}, without_renderer(), services});
   };
-  const Batch batch({kit(room_with_infant("free")), kit(room_with_infant("free"))}, sized(4, 2));
+  const Batch batch({compiled(room_with_infant("free")), compiled(room_with_infant("free"))}, sized(4, 2));
   const auto shape = [&](std::size_t i) { return batch.world(i).model().geom_size; };
   const auto skin = [&](std::size_t i) { return batch.world(i).agents()[0].skin; };
   EXPECT_EQ(shape(0), shape(2));
@@ -448,9 +449,9 @@ TEST(Batch, WorldsThatObserveSomethingElseAreRefused) {
   coarse.touch.everywhere = 0.1;
   silent.vestibular.acceleration = silent.vestibular.angular_velocity = false;
   const auto with = [](const env::AgentOptions& agent) {
-    return kits_of({floating_model(), {agent}, without_renderer(), {}})[0];
+    return compiled_worlds_of({floating_model(), {agent}, without_renderer(), {}})[0];
   };
-  const env::KitPtr usual = with(blind());
+  const env::CompiledWorldPtr usual = with(blind());
   const auto refusal = [&](const env::AgentOptions& agent) {
     return failure([&] { Batch({usual, usual, with(agent)}, sized(3, 1)); });
   };
@@ -464,13 +465,13 @@ TEST(Batch, WorldsThatObserveSomethingElseAreRefused) {
               batch.reset(nullptr, nullptr, nullptr, {nullptr, with(coarse), usual});
             }).rfind("world 1: field \"touch/force\"", 0),
             0u);
-  EXPECT_NE(failure([&] { batch.reset_world(1, with(silent), nullptr, nullptr); }), "");
+  EXPECT_NE(failure([&] { batch.aging(1).reset_as(with(silent), nullptr, nullptr); }), "");
   EXPECT_EQ(saved(batch.world(1)), before);
-  EXPECT_EQ(batch.kit(1), usual);
+  EXPECT_EQ(batch.aging(1).compiled(), usual);
 }
 
 TEST(Batch, UnseededWorldsDiffer) {
-  Batch all(kits_of({room_with_infant("reach"), {blind()}, {}, {}}), sized(2, 1));
+  Batch all(compiled_worlds_of({room_with_infant("reach"), {blind()}, {}, {}}), sized(2, 1));
   all.reset(nullptr, nullptr, nullptr);
   EXPECT_NE(saved(all.world(0)), saved(all.world(1)));
 }

@@ -546,7 +546,7 @@ TEST(ReflexesInWorlds, MittensDoNotGrasp) {
     EXPECT_EQ(error.status(), Status::kUnsupported);
     EXPECT_NE(std::string(error.what()).find("palmar_grasp"), std::string::npos);
   }
-  env::Kit attached;
+  env::CompiledWorld attached;
   attached.model = hanging("fingers", 1, kBall);
   attached.agents = {newborn(bit(Reflex::kMoro))};
   attached.options = without_renderer();

@@ -142,13 +142,13 @@ TEST(Labyrinth, AttachedItTellsTheSame) {
   const auto world = turning(1);
   Observation block(*world);
   world->reset(nullptr, block.data());
-  env::Kit kit;
-  kit.model = head_on_hinge();
-  kit.agents = {on_hinge()};
-  kit.options = without_renderer();
-  env::Attached senses(kit, 0);
+  env::CompiledWorld compiled;
+  compiled.model = head_on_hinge();
+  compiled.agents = {on_hinge()};
+  compiled.options = without_renderer();
+  env::Attached senses(compiled, 0);
   std::vector<std::uint8_t> theirs(senses.layout().bytes());
-  engine::Physics host(kit.model, {});
+  engine::Physics host(compiled.model, {});
   host.forward();
   senses.reset(host.data(), nullptr);
   world->physics().data().qvel[0] = host.data().qvel[0] = kTurn;
@@ -161,7 +161,7 @@ TEST(Labyrinth, AttachedItTellsTheSame) {
   EXPECT_EQ(theirs, block.bytes());
   std::vector<std::uint8_t> state(senses.state_bytes());
   senses.save(state);
-  env::Attached next(kit, 0);
+  env::Attached next(compiled, 0);
   EXPECT_EQ(next.load(state).fresh, 0U);
   std::fill(theirs.begin(), theirs.end(), std::uint8_t{0});
   next.observe(host.data(), theirs.data());

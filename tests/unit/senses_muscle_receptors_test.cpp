@@ -149,8 +149,8 @@ TEST(MuscleReceptors, AttachedTheyTellTheSame) {
   const Values drive = {120, 30, 0, 90};
   set(*world, kDrive, {0}, drive);
   const engine::ModelPtr model = compile(scene::Scene(from_text(kElbow)));
-  const env::Kit kit{model, {options}, without_renderer(), {}};
-  env::Attached senses(kit, 0);
+  const env::CompiledWorld compiled{model, {options}, without_renderer(), {}};
+  env::Attached senses(compiled, 0);
   std::vector<std::uint8_t> theirs(senses.layout().bytes());
   engine::Physics host(model, {});
   host.forward();
@@ -169,7 +169,7 @@ TEST(MuscleReceptors, AttachedTheyTellTheSame) {
   for (int i = 0; i < 20; ++i) both(senses);
   std::vector<std::uint8_t> state(senses.state_bytes());
   senses.save(state);
-  env::Attached next(kit, 0);
+  env::Attached next(compiled, 0);
   EXPECT_EQ(next.load(state).fresh, 0U);
   for (int i = 0; i < 20; ++i) both(next);
   const std::vector<std::int32_t> nobody = {1};

@@ -29,11 +29,11 @@ AgentPlan part(const std::string& name, const std::string& root) {
 TEST(BlueprintAgents, AreNumberedInTheirOrder) {
   Blueprint blueprint = room();
   const auto add = [&](const char* name, double x) {
-    return blueprint.edit([&](Draft& draft) { return draft.add_agent(infant_at(name, x)); });
+    return blueprint.edit([&](SceneEdit& edit) { return edit.add_agent(infant_at(name, x)); });
   };
   EXPECT_EQ(add("anna", 0), 0u);
   EXPECT_EQ(add("ben", 2), 1u);
-  EXPECT_EQ(blueprint.draft().agents.all()[1].name, "ben");
+  EXPECT_EQ(blueprint.current().agents.all()[1].name, "ben");
 }
 
 TEST(BlueprintAgents, OfSeveralEachHasANameOfItsOwn) {
@@ -57,7 +57,7 @@ TEST(BlueprintAgents, ARootBelongsToTheScene) {
   plan.acts = scene::kHead;
   EXPECT_EQ(joining(blueprint, plan),
             "acts is 0x2, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root");
-  EXPECT_TRUE(blueprint.draft().agents.all().empty());
+  EXPECT_TRUE(blueprint.current().agents.all().empty());
 }
 
 TEST(BlueprintAgents, APartWithoutMotorsLeavesThemToOthers) {
@@ -66,41 +66,41 @@ TEST(BlueprintAgents, APartWithoutMotorsLeavesThemToOthers) {
   idle.acts = scene::kNoGroup;
   EXPECT_EQ(joining(blueprint, part("busy", "one")), "");
   EXPECT_EQ(joining(blueprint, idle), "");
-  EXPECT_FALSE(blueprint.draft().agents.all()[0].actuation.none);
-  EXPECT_TRUE(blueprint.draft().agents.all()[1].actuation.none);
+  EXPECT_FALSE(blueprint.current().agents.all()[0].actuation.none);
+  EXPECT_TRUE(blueprint.current().agents.all()[1].actuation.none);
 }
 
 TEST(BlueprintAgents, AllThatTheSceneNames) {
-  const auto all = [](const AgentPlan& plan) { return [&](Draft& draft) { return draft.add_agents(plan); }; };
+  const auto all = [](const AgentPlan& plan) { return [&](SceneEdit& edit) { return edit.add_agents(plan); }; };
   Blueprint date(named("playdate"));
   EXPECT_EQ(refusal(date, all(infant("carl"))), "name is \"carl\", but the scene names its infants itself");
   EXPECT_EQ(refusal(date, all(infant_at("", 0))), "place is 1, but each of 2 infants has its own place");
   EXPECT_EQ(date.edit(all(infant(""))), 2u);
-  EXPECT_EQ(date.draft().agents.all()[0].name, "anna");
-  EXPECT_EQ(date.draft().agents.all()[1].name, "ben");
+  EXPECT_EQ(date.current().agents.all()[0].name, "anna");
+  EXPECT_EQ(date.current().agents.all()[1].name, "ben");
 
   Blueprint single(named("reach"));
   EXPECT_EQ(single.edit(all(infant("carl"))), 1u);
-  EXPECT_EQ(single.draft().agents.all()[0].name, "carl");
+  EXPECT_EQ(single.current().agents.all()[0].name, "carl");
 }
 
 TEST(BlueprintAgents, WhatTheyReadAndFeel) {
   Blueprint blueprint = room();
   ASSERT_EQ(joining(blueprint, infant("")), "");
-  const auto read = [](Draft& draft) { draft.agents.read_joint(0, "robot:left_elbow"); };
+  const auto read = [](SceneEdit& edit) { edit.agents.read_joint(0, "robot:left_elbow"); };
   EXPECT_EQ(refusal(blueprint, read), "");
   EXPECT_EQ(refusal(blueprint, read), "joint \"robot:left_elbow\" is read already");
   const auto skin = [](const char* body) {
-    return [body](Draft& draft) { draft.agents.set_touch(0, body, 0.02, draft.scene); };
+    return [body](SceneEdit& edit) { edit.agents.set_touch(0, body, 0.02, edit.scene); };
   };
   EXPECT_EQ(refusal(blueprint, skin("left_hand")), "");
   EXPECT_EQ(refusal(blueprint, skin("tail")).rfind("no body \"tail\"; the infant has: mimo_location, ", 0), 0u);
-  EXPECT_EQ(blueprint.draft().agents.all()[0].touch.spacing.size(), 1u);
-  blueprint.edit([](Draft& draft) { draft.agents.set_touch(0, 0.05); });
-  EXPECT_TRUE(blueprint.draft().agents.all()[0].touch.spacing.empty());
-  EXPECT_EQ(blueprint.draft().agents.all()[0].touch.everywhere, 0.05);
+  EXPECT_EQ(blueprint.current().agents.all()[0].touch.spacing.size(), 1u);
+  blueprint.edit([](SceneEdit& edit) { edit.agents.set_touch(0, 0.05); });
+  EXPECT_TRUE(blueprint.current().agents.all()[0].touch.spacing.empty());
+  EXPECT_EQ(blueprint.current().agents.all()[0].touch.everywhere, 0.05);
   for (const std::size_t nobody : {std::size_t{1}, std::size_t{7}}) {
-    EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.agents.limit_sense(nobody, "touch", {}); }),
+    EXPECT_EQ(refusal(blueprint, [&](SceneEdit& edit) { edit.agents.limit_sense(nobody, "touch", {}); }),
               "agent is " + std::to_string(nobody) + ", but there are 1 agents");
   }
 }

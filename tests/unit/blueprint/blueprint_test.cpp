@@ -30,10 +30,10 @@ Bytes bytes_of(const mjModel& model) {
 // One with something of everything.
 Blueprint furnished() {
   Blueprint blueprint(named("free"));
-  blueprint.edit([](Draft& draft) {
-    draft.add_agent(infant_at("anna", 0));
-    draft.add_camera(new_camera("aside"));
-    draft.parameters.set("reach/episode_steps", 7);
+  blueprint.edit([](SceneEdit& edit) {
+    edit.add_agent(infant_at("anna", 0));
+    edit.add_camera(new_camera("aside"));
+    edit.parameters.set("reach/episode_steps", 7);
   });
   return blueprint;
 }
@@ -50,21 +50,21 @@ TEST(Blueprint, WhatIsRefusedChangesNothing) {
   EXPECT_NE(joining(blueprint, infant_at("anna", 2)), "");
   EXPECT_NE(joining(blueprint, infant("ben")), "");
   EXPECT_NE(joining(blueprint, nobody), "");
-  EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.add_camera(again); }),
+  EXPECT_EQ(refusal(blueprint, [&](SceneEdit& edit) { edit.add_camera(again); }),
             "name: camera \"aside\" is observed already");
-  EXPECT_EQ(refusal(blueprint, [&](Draft& draft) { draft.add_camera(blank); }),
+  EXPECT_EQ(refusal(blueprint, [&](SceneEdit& edit) { edit.add_camera(blank); }),
             "outputs is 0, expected at least one of the MIMO_VISION_ bits");
-  EXPECT_NE(refusal(blueprint, [&](Draft& draft) { draft.parameters.set("reach/episode_steps", -1); }), "");
-  EXPECT_NE(refusal(blueprint, [&](Draft& draft) { draft.scene.weld({"anna/head", "nowhere"}, nullptr); }), "");
+  EXPECT_NE(refusal(blueprint, [&](SceneEdit& edit) { edit.parameters.set("reach/episode_steps", -1); }), "");
+  EXPECT_NE(refusal(blueprint, [&](SceneEdit& edit) { edit.scene.weld({"anna/head", "nowhere"}, nullptr); }), "");
   EXPECT_EQ(told(blueprint), before);
 }
 
 // The second infant of the scene is refused when the first is there already.
 TEST(Blueprint, AllAgentsOfASceneOrNone) {
   Blueprint blueprint(named("playdate"));
-  blueprint.edit([](Draft& draft) { draft.add_agent(infant_at("ben", 5)); });
+  blueprint.edit([](SceneEdit& edit) { edit.add_agent(infant_at("ben", 5)); });
   const std::string before = told(blueprint);
-  EXPECT_NE(refusal(blueprint, [](Draft& draft) { draft.add_agents(infant("")); }), "");
+  EXPECT_NE(refusal(blueprint, [](SceneEdit& edit) { edit.add_agents(infant("")); }), "");
   EXPECT_EQ(told(blueprint), before);
 }
 
@@ -72,15 +72,15 @@ TEST(Blueprint, AnEditThatFailsInTheMiddleChangesNothing) {
   Blueprint blueprint = furnished();
   const std::string before = told(blueprint);
   const auto model = bytes_of(*blueprint.compile({}, {})->model);
-  const auto half = [](Draft& draft) {
-    draft.add_agent(infant_at("ben", 2));
-    draft.add_camera(new_camera("above"));
-    draft.agents.read_joint(0, "robot:left_elbow");
-    draft.agents.set_touch(0, 0.05);
-    draft.agents.limit_sense(0, "touch", {});
-    draft.parameters.set("reach/episode_steps", 9);
-    draft.scene.start_joint("anna/robot:left_elbow", -0.5);
-    draft.task = [](const env::Identity&, std::size_t) { return nullptr; };
+  const auto half = [](SceneEdit& edit) {
+    edit.add_agent(infant_at("ben", 2));
+    edit.add_camera(new_camera("above"));
+    edit.agents.read_joint(0, "robot:left_elbow");
+    edit.agents.set_touch(0, 0.05);
+    edit.agents.limit_sense(0, "touch", {});
+    edit.parameters.set("reach/episode_steps", 9);
+    edit.scene.start_joint("anna/robot:left_elbow", -0.5);
+    edit.task = [](const env::Identity&, std::size_t) { return nullptr; };
     throw std::runtime_error("in the middle");
   };
   EXPECT_THROW(blueprint.edit(half), std::runtime_error);
@@ -92,12 +92,12 @@ TEST(Blueprint, CompilesTwiceToTheSame) {
   const Blueprint blueprint = furnished();
   env::EnvOptions options;
   options.renderer = env::RendererChoice::kRay;
-  const blueprint::KitPtr kits[2] = {blueprint.compile(options, {}), blueprint.compile(options, {})};
-  EXPECT_NE(kits[0]->model, kits[1]->model);
-  EXPECT_EQ(bytes_of(*kits[0]->model), bytes_of(*kits[1]->model));
+  const blueprint::CompiledWorldPtr compiled[2] = {blueprint.compile(options, {}), blueprint.compile(options, {})};
+  EXPECT_NE(compiled[0]->model, compiled[1]->model);
+  EXPECT_EQ(bytes_of(*compiled[0]->model), bytes_of(*compiled[1]->model));
   Bytes blocks[2], states[2];
   for (int i = 0; i < 2; ++i) {
-    env::World world(kits[i]->model, kits[i]->agents, kits[i]->options, kits[i]->services);
+    env::World world(compiled[i]->model, compiled[i]->agents, compiled[i]->options, compiled[i]->services);
     blocks[i] = step(world, 3);
     states[i] = saved(world);
   }
@@ -106,26 +106,14 @@ TEST(Blueprint, CompilesTwiceToTheSame) {
 }
 
 TEST(Blueprint, GivesWorldsWhatItSays) {
-  const blueprint::KitPtr kit = furnished().compile({}, {});
-  ASSERT_EQ(kit->agents.size(), 1u);
-  EXPECT_EQ(kit->agents[0].name, "anna");
-  ASSERT_EQ(kit->options.cameras.size(), 1u);
-  EXPECT_EQ(kit->options.cameras[0].camera, "aside");
-  EXPECT_EQ(kit->options.parameters["reach/episode_steps"], 7);
-  EXPECT_GE(engine::find(*kit->model, engine::Kind::kCamera, "aside"), 0);
-  EXPECT_GE(engine::find(*kit->model, engine::Kind::kBody, "anna/mimo_location"), 0);
-}
-
-TEST(Blueprint, AClonePlaysOnAndSharesTheSkin) {
-  Blueprint blueprint(named("free"));
-  blueprint.edit([](Draft& draft) { draft.add_agent(infant("")); });
-  const blueprint::KitPtr kit = blueprint.compile(without_renderer(), {});
-  env::World world(kit->model, kit->agents, kit->options, kit->services);
-  for (int i = 0; i < 3; ++i) step(world, i);
-  const auto twin = blueprint::clone(*kit, world, {});
-  EXPECT_EQ(twin->agents()[0].skin, world.agents()[0].skin);
-  EXPECT_EQ(step(*twin, 3), step(world, 3));
-  EXPECT_EQ(saved(*twin), saved(world));
+  const blueprint::CompiledWorldPtr compiled = furnished().compile({}, {});
+  ASSERT_EQ(compiled->agents.size(), 1u);
+  EXPECT_EQ(compiled->agents[0].name, "anna");
+  ASSERT_EQ(compiled->options.cameras.size(), 1u);
+  EXPECT_EQ(compiled->options.cameras[0].camera, "aside");
+  EXPECT_EQ(compiled->options.parameters["reach/episode_steps"], 7);
+  EXPECT_GE(engine::find(*compiled->model, engine::Kind::kCamera, "aside"), 0);
+  EXPECT_GE(engine::find(*compiled->model, engine::Kind::kBody, "anna/mimo_location"), 0);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace mimo::test {
 
 using blueprint::AgentPlan;
 using blueprint::Blueprint;
-using blueprint::Draft;
+using blueprint::SceneEdit;
 
 inline AgentPlan infant(const std::string& name) {
   AgentPlan plan;
@@ -44,22 +44,22 @@ std::string refusal(Blueprint& blueprint, Change&& change) {
 
 // The same of adding an agent.
 inline std::string joining(Blueprint& blueprint, const AgentPlan& plan) {
-  return refusal(blueprint, [&](Draft& draft) { draft.add_agent(plan); });
+  return refusal(blueprint, [&](SceneEdit& edit) { edit.add_agent(plan); });
 }
 
 // All that can be told of a blueprint without compiling it.
 inline std::string told(const Blueprint& blueprint) {
-  const Draft& draft = blueprint.draft();
-  std::string all = draft.scene.xml();
-  for (const env::AgentOptions& agent : draft.agents.all()) {
+  const SceneEdit& edit = blueprint.current();
+  std::string all = edit.scene.xml();
+  for (const env::AgentOptions& agent : edit.agents.all()) {
     all += "agent " + agent.name + " root " + agent.root + " limits " + std::to_string(agent.limits.size());
     for (const std::string& joint : agent.joints) all += " reads " + joint;
     for (const auto& [body, spacing] : agent.touch.spacing) all += " skin " + body + " " + std::to_string(spacing);
     if (agent.touch.everywhere) all += " everywhere " + std::to_string(*agent.touch.everywhere);
   }
-  for (const env::CameraOptions& camera : draft.cameras.all()) all += "camera " + camera.camera;
-  all += "steps " + std::to_string(draft.parameters["reach/episode_steps"]);
-  return all + (draft.task ? "own task" : "");
+  for (const env::CameraOptions& camera : edit.cameras.all()) all += "camera " + camera.camera;
+  all += "steps " + std::to_string(edit.parameters["reach/episode_steps"]);
+  return all + (edit.task ? "own task" : "");
 }
 
 }  // namespace mimo::test

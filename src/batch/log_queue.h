@@ -7,10 +7,10 @@
 
 namespace mimo::batch {
 
-class Mailbox {
+class LogQueue {
  public:
   // Of a world of this batch.
-  Mailbox(LogSink user, const void* batch) : user_(std::move(user)), batch_(batch) {}
+  LogQueue(LogSink user, const void* batch) : user_(std::move(user)), batch_(batch) {}
 
   // The sink that the world gets.
   LogSink slot();

@@ -1,4 +1,4 @@
-// What worlds are made of: all that is left of a scene when it has been compiled.
+// All that worlds are made of, when a scene has been compiled for certain ages of its infants.
 #pragma once
 
 #include <memory>
@@ -30,20 +30,20 @@ class Skins {
 
 // What a world does not make itself, and may share with others of the same model.
 struct Services {
-  std::shared_ptr<render::Shelf> shelf;     // what renderers of one model have in common; null: each has its own
-  std::shared_ptr<render::Shelf> textures;  // the textures, also in common with other models; null: as the shelf
-  std::shared_ptr<Skins> skins;             // null: each world makes its own
-  render::Renderer* renderer = nullptr;     // draws for a world, which then has none of its own; outlives it
+  std::shared_ptr<render::Shelf> shelf;        // what renderers of one model have in common; null: each has its own
+  std::shared_ptr<render::Shelf> textures;     // the textures, also in common with other models; null: as the shelf
+  std::shared_ptr<Skins> skins;                // null: each world makes its own
+  std::shared_ptr<render::Renderer> renderer;  // draws for a world; null: it makes its own
   LogSink log;
 };
 
-struct Kit {
+struct CompiledWorld {
   engine::ModelPtr model;
   std::vector<AgentOptions> agents;
   EnvOptions options;
   Services services;
 };
-using KitPtr = std::shared_ptr<const Kit>;
+using CompiledWorldPtr = std::shared_ptr<const CompiledWorld>;
 
 // Makes the renderer that the options ask for; the shelf belongs to this very model. Throws Status::kUnsupported where
 // it does not work here.

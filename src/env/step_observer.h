@@ -10,9 +10,9 @@ namespace mimo::env {
 
 class World;
 
-class Listener {
+class StepObserver {
  public:
-  virtual ~Listener() = default;
+  virtual ~StepObserver() = default;
   // A step begins. Gives the block that is filled: the caller's, or where that is null one of its own, or null.
   virtual std::uint8_t* step_begins(const World& world, std::uint8_t* block) noexcept = 0;
   virtual void step_ends(World& world, Span<const float> actions, const std::uint8_t* block) noexcept = 0;

@@ -11,10 +11,11 @@
 namespace mimo::batch {
 
 // Hands on to a renderer that nobody else draws with. It stands in every world of the batch for a renderer of its own.
-class Studio : public render::Renderer {
+class SharedRenderers : public render::Renderer {
  public:
   // `batch` is the one that it belongs to, as workplaces name it.
-  Studio(const env::Kit& kit, std::size_t threads, const void* batch);
+  SharedRenderers(env::CompiledWorldPtr compiled, std::size_t threads, const void* batch);
+  const env::CompiledWorldPtr& compiled() const { return compiled_; }
   // Makes renderers for the first so many threads now, so that what is missing here shows at once and no step has to.
   void furnish(std::size_t threads);
   void draw(const mjModel& model, const mjData& data, const render::View& view,
@@ -24,12 +25,11 @@ class Studio : public render::Renderer {
   using RendererPtr = std::unique_ptr<render::Renderer>;
 
   render::Renderer& renderer(std::size_t thread);
+  RendererPtr make() const;
   RendererPtr borrow();
   void give_back(RendererPtr renderer);
 
-  engine::ModelPtr model_;
-  env::EnvOptions options_;
-  env::Services services_;
+  env::CompiledWorldPtr compiled_;
   const void* batch_;
   std::vector<RendererPtr> renderers_;  // one per thread of the pool, made when first needed
   // For callers from outside, as many as ever drew at the same time: between the batch's own calls any number of

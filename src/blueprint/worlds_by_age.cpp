@@ -1,4 +1,4 @@
-#include "blueprint/family.h"
+#include "blueprint/worlds_by_age.h"
 
 #include <algorithm>
 
@@ -46,52 +46,52 @@ std::vector<growth::Growth> growths_of(const Agents& agents, const Ages& ages) {
 
 }  // namespace
 
-env::KitPtr Family::as_described(const Ages& ages, const LogSink& scene_log) {
-  return find_or_compile(growths_of(draft_.agents.all(), ages), scene_log);
+env::CompiledWorldPtr WorldsByAge::as_described(const Ages& ages, const LogSink& scene_log) {
+  return find_or_compile(growths_of(current_.agents.all(), ages), scene_log);
 }
 
-env::KitPtr Family::grown(const env::Kit& now, const Ages& ages) {
+env::CompiledWorldPtr WorldsByAge::grown(const env::CompiledWorld& now, const Ages& ages) {
   return find_or_compile(growths_of(now.agents, ages), log_);
 }
 
 // One thread compiles at a time anyway: MuJoCo's compiler is not for more.
-env::KitPtr Family::find_or_compile(Growths growths, const LogSink& scene_log) {
+env::CompiledWorldPtr WorldsByAge::find_or_compile(Growths growths, const LogSink& scene_log) {
   const std::lock_guard lock(mutex_);
-  if (env::KitPtr known = find(growths)) return known;
-  env::KitPtr made = compile(growths, scene_log);
+  if (env::CompiledWorldPtr known = find(growths)) return known;
+  env::CompiledWorldPtr made = compile(growths, scene_log);
   keep({std::move(growths), made});
   return made;
 }
 
-env::KitPtr Family::compile(const Growths& growths, const LogSink& scene_log) {
-  Draft grown = draft_;
+env::CompiledWorldPtr WorldsByAge::compile(const Growths& growths, const LogSink& scene_log) {
+  SceneEdit grown = current_;
   for (std::size_t i = 0; i < growths.size(); ++i) {
-    if (growths[i] != draft_.agents.all()[i].growth) grown.grow(i, growths[i]);
+    if (growths[i] != current_.agents.all()[i].growth) grown.grow(i, growths[i]);
   }
-  env::Kit kit = blueprint::compile(grown, options_, scene_log, log_);
-  share_textures(kit);
-  return std::make_shared<const env::Kit>(std::move(kit));
+  env::CompiledWorld compiled = blueprint::compile(grown, options_, scene_log, log_);
+  share_textures(compiled);
+  return std::make_shared<const env::CompiledWorld>(std::move(compiled));
 }
 
-void Family::share_textures(env::Kit& kit) {
+void WorldsByAge::share_textures(env::CompiledWorld& compiled) {
   if (painted_ == nullptr) {
-    painted_ = kit.model;
+    painted_ = compiled.model;
     textures_ = render::make_shelf();
   }
-  kit.model = engine::with_textures_of(painted_, std::move(kit.model));
-  if (engine::share_textures(*kit.model, *painted_)) kit.services.textures = textures_;
+  compiled.model = engine::with_textures_of(painted_, std::move(compiled.model));
+  if (engine::share_textures(*compiled.model, *painted_)) compiled.services.textures = textures_;
 }
 
-env::KitPtr Family::find(const Growths& growths) {
+env::CompiledWorldPtr WorldsByAge::find(const Growths& growths) {
   const auto same = [&](const Member& member) { return member.growths == growths; };
   const auto found = std::find_if(members_.begin(), members_.end(), same);
   if (found == members_.end()) return nullptr;
   std::rotate(found, found + 1, members_.end());
-  return members_.back().kit;
+  return members_.back().compiled;
 }
 
-void Family::keep(Member member) {
-  const auto idle = [](const Member& one) { return one.kit.use_count() == 1; };
+void WorldsByAge::keep(Member member) {
+  const auto idle = [](const Member& one) { return one.compiled.use_count() == 1; };
   while (members_.size() >= kKept) {
     const auto oldest = std::find_if(members_.begin(), members_.end(), idle);
     if (oldest == members_.end()) break;

@@ -1,20 +1,20 @@
-#include "batch/mailbox.h"
+#include "batch/log_queue.h"
 
 #include "batch/workplace.h"
 
 namespace mimo::batch {
 
-LogSink Mailbox::slot() {
+LogSink LogQueue::slot() {
   if (!user_) return {};
   return LogSink([this](const LogRecord& record) { keep(record); });
 }
 
-void Mailbox::keep(const LogRecord& record) {
+void LogQueue::keep(const LogRecord& record) {
   records_.push_back(record);
   if (workplace().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
 }
 
-void Mailbox::deliver() {
+void LogQueue::deliver() {
   for (const LogRecord& record : records_) user_(record);
   records_.clear();
 }

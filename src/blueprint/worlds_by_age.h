@@ -13,36 +13,36 @@ namespace mimo::blueprint {
 
 // Who becomes what: nobody (none), all infants (one), or each agent (as many as there are; nothing: it stays).
 using Ages = std::vector<std::optional<growth::Growth>>;
+using Growths = std::vector<growth::Growth>;  // by agent
 
 // Compiles each combination of ages once and keeps those that worlds live in, and of the others as many as make
 // kKept with them, the last ones asked for. Thread-safe.
-class Family {
+class WorldsByAge {
  public:
   static constexpr std::size_t kKept = 8;
 
   // The log is that of the worlds.
-  Family(const Draft& draft, const env::EnvOptions& options, const LogSink& log)
-      : draft_(draft), options_(options), log_(log) {}
+  WorldsByAge(const SceneEdit& edit, const env::EnvOptions& options, const LogSink& log)
+      : current_(edit), options_(options), log_(log) {}
   // All as they are described, but for `ages`; what the compiler has to say goes to `scene_log`. Throws
   // Status::kInvalidArgument for agents that are no infants, and what growing and compiling throw.
-  env::KitPtr as_described(const Ages& ages, const LogSink& scene_log);
-  // As in a kit of this family, but for `ages`.
-  env::KitPtr grown(const env::Kit& now, const Ages& ages);
+  env::CompiledWorldPtr as_described(const Ages& ages, const LogSink& scene_log);
+  // As in one of these, but for `ages`.
+  env::CompiledWorldPtr grown(const env::CompiledWorld& now, const Ages& ages);
 
  private:
-  using Growths = std::vector<growth::Growth>;  // by agent
   struct Member {
     Growths growths;
-    env::KitPtr kit;
+    env::CompiledWorldPtr compiled;
   };
 
-  env::KitPtr find_or_compile(Growths growths, const LogSink& scene_log);
-  env::KitPtr compile(const Growths& growths, const LogSink& scene_log);
-  void share_textures(env::Kit& kit);
-  env::KitPtr find(const Growths& growths);
+  env::CompiledWorldPtr find_or_compile(Growths growths, const LogSink& scene_log);
+  env::CompiledWorldPtr compile(const Growths& growths, const LogSink& scene_log);
+  void share_textures(env::CompiledWorld& compiled);
+  env::CompiledWorldPtr find(const Growths& growths);
   void keep(Member member);
 
-  const Draft draft_;
+  const SceneEdit current_;
   const env::EnvOptions options_;
   const LogSink log_;
   std::mutex mutex_;
@@ -52,6 +52,6 @@ class Family {
   std::vector<Member> members_;  // the last one asked for stands last
 };
 
-using FamilyPtr = std::shared_ptr<Family>;
+using WorldsByAgePtr = std::shared_ptr<WorldsByAge>;
 
 }  // namespace mimo::blueprint

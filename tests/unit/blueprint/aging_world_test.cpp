@@ -1,0 +1,75 @@
+// Worlds whose infants become older or younger.
+#include "blueprint/aging_world.h"
+
+#include "engine/model.h"
+#include "unit/blueprint/fixture.h"
+
+namespace mimo::test {
+namespace {
+
+using blueprint::AgingWorld;
+using blueprint::WorldsByAge;
+
+growth::Growth aged(double months) {
+  growth::Growth growth;
+  growth.age = growth.physiological_age = months;
+  return growth;
+}
+
+AgingWorld aging_world() {
+  Blueprint blueprint(named("free"));
+  blueprint.edit([](SceneEdit& edit) { edit.add_agent(infant("")); });
+  const auto worlds = std::make_shared<WorldsByAge>(blueprint.current(), without_renderer(), LogSink{});
+  return {worlds, worlds->as_described({}, {}), {}};
+}
+
+double height(const AgingWorld& aging) { return aging.world().agents()[0].height; }
+
+// A child of two years is taller than one of half a year by 20 cm: WHO, 86 and 66 cm in the mean of girls and boys.
+TEST(AgingWorld, GoesOnInABodyOfAnotherAge) {
+  AgingWorld aging = aging_world();
+  const std::uint64_t seed = 7;
+  aging.world().reset(&seed, nullptr);
+  aging.world().physics().set_gravity({0, 0, -1.6});
+  const env::CompiledWorldPtr usual = aging.compiled();
+  aging.reset({aged(24)}, nullptr, nullptr);
+  const double older = height(aging);
+  aging.reset({aged(6)}, nullptr, nullptr);
+  EXPECT_NEAR(older - height(aging), 0.2, 0.03);
+  EXPECT_EQ(std::as_const(aging.world()).physics().gravity().z(), -1.6);
+  aging.grow({aged(6)});  // as it is
+  const std::uint64_t changes = aging.world().changes();
+  aging.grow({aged(6)});
+  EXPECT_EQ(aging.world().changes(), changes);
+  aging.grow({growth::Growth()});
+  EXPECT_EQ(aging.compiled(), usual);
+}
+
+TEST(AgingWorld, StaysAsItIsWhereTheOtherWorldObservesSomethingElse) {
+  AgingWorld aging = aging_world();
+  const auto before = saved(aging.world());
+  Blueprint other(named("free"));
+  other.edit([](SceneEdit& edit) {
+    AgentPlan plan = infant("");
+    plan.options.vestibular = {};
+    plan.options.touch = {};
+    plan.options.touch.everywhere = 0.1;
+    edit.add_agent(plan);
+  });
+  const env::CompiledWorldPtr strange = other.compile(without_renderer(), {});
+  EXPECT_THROW(aging.reset_as(strange, nullptr, nullptr), Error);
+  EXPECT_NE(aging.compiled(), strange);
+  EXPECT_EQ(saved(aging.world()), before);
+}
+
+TEST(AgingWorld, ACopyPlaysOnAndSharesTheSkin) {
+  AgingWorld aging = aging_world();
+  for (int i = 0; i < 3; ++i) step(aging.world(), i);
+  const AgingWorld twin(aging, {});
+  EXPECT_EQ(twin.world().agents()[0].skin, aging.world().agents()[0].skin);
+  EXPECT_EQ(step(twin.world(), 3), step(aging.world(), 3));
+  EXPECT_EQ(saved(twin.world()), saved(aging.world()));
+}
+
+}  // namespace
+}  // namespace mimo::test
