@@ -44,9 +44,12 @@ extern "C" {
  * joints.
  */
 #define MIMO_BODY_POSITION 6
-#define MIMO_BODY_ORIENTATION 7     /**< Body: 4, w x y z. Writable as MIMO_BODY_POSITION. */
-#define MIMO_BODY_VELOCITY 8        /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
-#define MIMO_BODY_FORCE 9           /**< Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE. */
+#define MIMO_BODY_ORIENTATION 7 /**< Body: 4, w x y z. Writable as MIMO_BODY_POSITION. */
+#define MIMO_BODY_VELOCITY 8    /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
+/**
+ * Body: 6, force and torque at its centre of mass, world. Writable as MIMO_JOINT_FORCE.
+ */
+#define MIMO_BODY_FORCE 9
 #define MIMO_BODY_MASS 10           /**< Body: 1, kg, > 0. Writable, W: its inertia grows along. */
 #define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
 #define MIMO_GEOM_POSITION 12       /**< Geom: 3, world, m. */

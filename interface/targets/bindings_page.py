@@ -12,7 +12,7 @@ BEGIN, END = "<!-- made by ./dev interface -->", "<!-- end -->"
 # Where a language calls the library: files, and what stands before the function's name.
 LANGUAGES = {
     "C++": ("include/mimo/hpp/*.hpp", r"\b"),
-    "Python": ("bindings/python/src/mimo/[!_]*.py bindings/python/src/mimo/_library.py", r"LIB\."),
+    "Python": ("bindings/python/src/mimo/[!_]*.py bindings/python/src/mimo/_[al]*.py", r'(?:LIB\.|init = ")'),
     "Rust": ("bindings/rust/mimo/src/*.rs", r"\bsys::"),
     "C#": ("bindings/csharp/src/*.cs", r"Native\."),
     "MATLAB": ("bindings/matlab/*.c", r"\b"),

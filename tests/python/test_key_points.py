@@ -276,6 +276,6 @@ def test_where_errors_cannot_be_written_nothing_is(tmp_path, capsys):
 def test_files_that_are_no_cameras(text, tmp_path):
     path = tmp_path / "camera.json"
     path.write_text(text)
-    with pytest.raises(ValueError, match=r"is no camera: |matrix has the shape") as raised:
+    with pytest.raises(ValueError, match=r"is not a camera: |matrix has the shape") as raised:
         mimo.key_points.Camera.read(str(path))
     assert "\n" not in str(raised.value)

@@ -110,9 +110,10 @@ def test_another_abi_version_is_refused(monkeypatch):
         _load(library_path())
 
 
-def test_a_missing_function_is_named(monkeypatch):
+def test_missing_functions_are_named(monkeypatch):
     monkeypatch.setitem(_abi.FUNCTIONS, "mimo_env_fly", (None, []))
-    with pytest.raises(ImportError, match="mimo_env_fly"):
+    monkeypatch.setitem(_abi.FUNCTIONS, "mimo_env_swim", (None, []))
+    with pytest.raises(ImportError, match="has no mimo_env_fly, mimo_env_swim; it belongs to another version"):
         _load(library_path())
 
 
@@ -131,7 +132,7 @@ def test_another_mujoco_in_place_of_ours_is_refused(tmp_path):
     done = subprocess.run([sys.executable, "-c", "import mimo"], capture_output=True, text=True, env=environment)
     said = done.stderr.splitlines()[-1]
     assert said.startswith(f"ImportError: {tmp_path / library_path().name} cannot be loaded: "), said
-    assert said.endswith("the MuJoCo in its folder has to be the one that came with it")
+    assert said.endswith("the MuJoCo in its folder must be the one that came with it")
 
 
 def test_version_and_scenes(root):

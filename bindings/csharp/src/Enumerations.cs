@@ -490,7 +490,7 @@ namespace Mimo
         BodyOrientation = 7,
         /// <summary>Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.</summary>
         BodyVelocity = 8,
-        /// <summary>Body: 6, force, torque at its centre of mass, world; as Quantity.JointForce.</summary>
+        /// <summary>Body: 6, force and torque at its centre of mass, world. Writable as Quantity.JointForce.</summary>
         BodyForce = 9,
         /// <summary>Body: 1, kg, &gt; 0. Writable, W: its inertia grows along.</summary>
         BodyMass = 10,

@@ -12,37 +12,11 @@ from __future__ import annotations
 import importlib.util
 from typing import Any, Union
 
+from . import constants
 from ._library import abi_version, api_version, library_path, mujoco_version, supports, version
-from .access import Access, Selection
+from .access import Access
 from .batch import Batch
-from .constants import (
-    Act,
-    Actuation,
-    Autoreset,
-    Axes,
-    Disable,
-    Frame,
-    GrowthModel,
-    Hearing,
-    Jacobian,
-    Kind,
-    Look,
-    Mature,
-    Outcome,
-    Place,
-    Proprioception,
-    Quantity,
-    Reflex,
-    Render,
-    Sex,
-    Shape,
-    TextureType,
-    Touch,
-    TouchResponse,
-    Vestibular,
-    Vision,
-    WarningCode,
-)
+from .constants import *  # noqa: F403
 from .env import Env, register
 from .errors import (
     ArgumentError,
@@ -68,6 +42,7 @@ from .recorder import Recorder
 from .recordings import Recording, ReplayReport
 from .results import StepResult
 from .scene import Scene, faces, materials, rooms, scenes, tasks
+from .selection import Selection
 from .senses import Senses
 from .states import LoadReport
 from .tasks import GoalTask, Judgement, Task
@@ -96,69 +71,44 @@ def __getattr__(name: str) -> Any:
 register()
 
 __all__ = [
+    *constants.__all__,
     "Access",
-    "Act",
     "Action",
-    "Actuation",
     "ArgumentError",
-    "Autoreset",
-    "Axes",
     "Batch",
     "BusyError",
     "ClosedError",
-    "Disable",
     "Env",
     "Error",
     "Field",
     "FileError",
     "ForkedError",
-    "Frame",
     "GoalTask",
     "InternalError",
-    "GrowthModel",
-    "Hearing",
-    "Jacobian",
     "Judgement",
-    "Kind",
     "Layout",
     "LoadReport",
-    "Look",
-    "Mature",
     "Maturity",
     "ModelError",
     "Moment",
     "NotFoundError",
     "Observation",
-    "Outcome",
     "OutOfMemoryError",
-    "Place",
-    "Proprioception",
-    "Quantity",
     "Recorder",
-    "Reflex",
     "Recording",
     "ReplayReport",
     "Receptors",
-    "Render",
     "RenderError",
     "Scene",
     "Senses",
     "Selection",
-    "Sex",
-    "Shape",
     "SimulationError",
     "StepResult",
     "Task",
     "TaskError",
     "Term",
-    "TextureType",
-    "Touch",
-    "TouchResponse",
     "UnsupportedError",
     "VectorEnv",
-    "Vestibular",
-    "Vision",
-    "WarningCode",
     "World",
     "WorldTask",
     "abi_version",

@@ -1,4 +1,4 @@
-"""Files that are written beside their place and renamed when they are whole, as the program `mimo` writes its own."""
+"""Writes files under a temporary name and renames them when they are complete, as the program `mimo` does."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from typing import Iterator, Union
 
 from .errors import Error
 
-MARK = ".mimo-"  # how names of what is not whole begin
+MARK = ".mimo-"  # prefix of temporary names
 Name = Union[str, "os.PathLike[str]"]
 
 
 def require_writable(name: Name) -> None:
-    """That a file can be written there: to be asked before the work, not after it."""
+    """Raises unless a file can be written there; call it before the work, not after it."""
     path = Path(name)
     if not path.parent.is_dir():
         raise FileNotFoundError(f"cannot write {path}: there is no folder {path.parent}")
@@ -25,17 +25,17 @@ def require_writable(name: Name) -> None:
     if path.is_fifo() and not _is_open_pipe(path):
         raise OSError(f"cannot write {path}: it is a pipe with a name")
     if path.exists() and not path.is_file() and not _is_stream(path):
-        raise OSError(f"cannot write {path}: it is no plain file")
+        raise OSError(f"cannot write {path}: it is not a plain file")
     if not os.access(path if path.exists() else path.parent, os.W_OK):
         raise PermissionError(f"cannot write {path}: it may not be written to")
 
 
 @contextmanager
 def new_file(name: Name) -> Iterator[Path]:
-    """The name of a file beside another one, with its ending, which is to be written in the block.
+    """Yields a temporary name in the same folder, with the same suffix; the block writes that file.
 
-    Afterwards it takes the other one's place: what a link leads to, with the rights that were there. Where the block
-    fails, nothing is left of it.
+    Afterwards the file replaces `name` (or the target of a link) and keeps its permissions. If the block fails, the
+    temporary file is removed.
     """
     require_writable(name)
     if _is_stream(Path(name)):
@@ -52,7 +52,7 @@ def new_file(name: Name) -> Iterator[Path]:
 
 
 def put(made: Path, name: Name) -> None:
-    """Moves a whole file to its place, in the same file system."""
+    """Moves a complete file to its place, in the same file system."""
     place = Path(os.path.realpath(name))
     with failures_named(name):
         if place.exists():
@@ -62,29 +62,29 @@ def put(made: Path, name: Name) -> None:
 
 @contextmanager
 def failures_named(name: Name) -> Iterator[None]:
-    """What the system refuses in the block is told of the file that was asked for, not of those beside it."""
+    """Makes errors of the system in the block name the requested file, not the temporary one."""
     try:
         yield
     except OSError as error:
         of_others = error.filename is not None and MARK not in str(error.filename)
         if error.errno is None or of_others or isinstance(error, Error):
             raise
-        kind = type(OSError(error.errno, ""))  # the class that belongs to the number
+        kind = type(OSError(error.errno, ""))  # the subclass for that errno
         failure = kind(f"cannot write {os.fspath(name)}: {error.strerror or error}")
         failure.errno = error.errno
         raise failure from None
 
 
 def _beside(path: Path) -> Path:
-    """A name that nobody has thought of, in the folder of what a link leads to."""
+    """An unused name in the folder of the file, or of a link's target."""
     return Path(os.path.realpath(path)).with_name(f"{MARK}{secrets.token_hex(8)}{path.suffix}")
 
 
 def _is_stream(path: Path) -> bool:
-    """What has no content of its own to keep, and needs no name."""
+    """Whether it is a device or an open pipe: such a file keeps no content and is written directly."""
     return path.is_char_device() or (path.is_fifo() and _is_open_pipe(path))
 
 
 def _is_open_pipe(path: Path) -> bool:
-    """Whether a pipe has both ends, as bash's >(...) has; one with a name waits for the other."""
+    """Whether a pipe has both ends, like bash's >(...); a named pipe waits for its reader."""
     return not os.path.exists(os.path.realpath(path))

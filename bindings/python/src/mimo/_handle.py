@@ -1,4 +1,4 @@
-"""Objects of the library that somebody has to destroy."""
+"""Objects that own a handle of the library."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Callable, Optional, Type, TypeVar
 from ._strict import Strict
 from .errors import ClosedError
 
-NAMES = ("_handle", "_names_handle")  # attributes that an open object has
+NAMES = ("_handle", "_names_handle")  # attributes of an open object
 Self = TypeVar("Self", bound="Handle")
 
 
@@ -24,17 +24,17 @@ IN_MAIN = _in_main_interpreter()
 
 
 class Native(ctypes.c_void_p):
-    """A handle of the library, and what has to live as long as it; destroyed when nobody refers to it any more.
+    """A handle of the library and the objects that must outlive it; destroyed with its last reference.
 
-    Python keeps the arguments of a call while it runs, this one among them. So nothing is destroyed under a call,
-    whatever another thread closes meanwhile, and nothing under the calls of daemon threads when Python ends.
+    Python keeps a call's arguments alive while the call runs. So no handle is destroyed during a call, even if another
+    thread closes its owner or Python ends while daemon threads are inside the library.
     """
 
     def __init__(self, handle: Optional[int], destroy: Any = None) -> None:
         super().__init__(handle)
         self._destroy = destroy
         self._destroy_at_end = destroy if IN_MAIN or destroy is None else _keeping_the_lock(destroy)
-        self.keeps: Any = ()  # memory that the library writes to, or the object that this one is a part of
+        self.keeps: Any = ()  # memory that the library writes to, or the object that owns this handle
 
     def __del__(self, ends: Callable[[], bool] = sys.is_finalizing) -> None:
         if self._destroy is not None and self.value is not None:
@@ -42,19 +42,19 @@ class Native(ctypes.c_void_p):
 
 
 def _keeping_the_lock(destroy: Any) -> Any:
-    """The same function, called without giving Python's lock away.
+    """The same function, called without releasing Python's lock.
 
-    When the process ends, up to Python 3.11, a thread that takes the lock for another interpreter than the main one
-    is ended: here the only thread, and the process would wait for ever.
+    Up to Python 3.11, a thread that takes the lock for a subinterpreter while the process ends is terminated. Here that
+    would be the only thread, and the process would hang.
     """
     address: Any = ctypes.cast(destroy, ctypes.c_void_p).value
     return ctypes.PYFUNCTYPE(destroy.restype, *destroy.argtypes)(address)
 
 
 class Handle(Strict):
-    """Closes with close(), at the end of a with block, or when nobody refers to it any more.
+    """Closes by close(), at the end of a with block, or with its last reference.
 
-    What is called afterwards raises mimo.ClosedError.
+    Later calls raise mimo.ClosedError.
     """
 
     _handle: Native
@@ -63,20 +63,20 @@ class Handle(Strict):
         self._handle = Native(handle, destroy)
 
     def close(self) -> None:
-        """Frees what the library holds, once the calls that run in other threads have ended.
+        """Frees the library's objects, after the calls that run in other threads have ended.
 
-        Arrays that were handed out stay valid. Closing twice does nothing.
+        Arrays that it returned stay valid. Closing twice does nothing.
         """
         for name in NAMES:
             self.__dict__.pop(name, None)
 
     @property
     def closed(self) -> bool:
-        """Whether it was closed."""
+        """Whether it is closed."""
         return "_handle" not in self.__dict__
 
     def __getattr__(self, name: str) -> Any:
-        if name in NAMES:  # Python asks here only for what is not there any more
+        if name in NAMES:  # Python calls this only for missing attributes
             raise ClosedError(f"this {type(self).__name__} is closed")
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 

@@ -1,4 +1,4 @@
-"""Which HDF5 library recordings are written and read with."""
+"""Finds an HDF5 library for recordings."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .errors import UnsupportedError
 
 
 def with_hdf5(call: Any, library: Optional[bytes]) -> None:
-    """Calls with the path of the HDF5 library that is asked for, or where the system has none of the one in h5py."""
+    """Calls with the path of the requested HDF5 library, or of h5py's if the system has none."""
     try:
         call(library)
     except UnsupportedError as error:

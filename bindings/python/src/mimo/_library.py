@@ -9,27 +9,33 @@ import logging
 import os
 import sys
 import threading
+from functools import lru_cache
 from pathlib import Path
-from typing import Any, Iterator, Optional, Tuple
+from typing import Any, Iterator, Optional, Tuple, Type, TypeVar, cast, get_origin, get_type_hints
+
+import numpy as np
 
 from . import _abi
+from .constants import LogLevel
 from .errors import make_error
 
+S = TypeVar("S", bound=_abi.Struct)
+T = TypeVar("T")
 NATIVE = Path(__file__).resolve().parent / "_native"
 LIBRARY_NAME = {"win32": "mimo.dll", "darwin": "libmimo.dylib"}.get(sys.platform, "libmimo.so.1")
 
 _logger = logging.getLogger("mimo")
-_levels = {1: logging.WARNING, 2: logging.INFO}
+_levels = {LogLevel.WARNING: logging.WARNING, LogLevel.INFO: logging.INFO}
 
 
-# Packages with the library for a MuJoCo that pip installs, and which MuJoCo that is.
+# Versions of MuJoCo that pip installs, and the packages with the library for them.
 FOR_HOSTS = {"4.0.1": "mimo_mujoco4"}
 
 
 def library_path() -> Path:
-    """The library inside this package, or the one that fits the package mujoco, if a program has imported that before.
+    """The library inside this package, or the one for the package mujoco if the program imported that first.
 
-    Developers can name another in MIMO_LIBRARY.
+    The environment variable MIMO_LIBRARY overrides both.
     """
     return Path(os.environ.get("MIMO_LIBRARY") or _for_host() or NATIVE / LIBRARY_NAME).resolve()
 
@@ -42,7 +48,7 @@ def _for_host() -> Optional[Path]:
 
 
 def advice_for_host(version: str) -> str:
-    """What the user of another MuJoCo than the library's can do."""
+    """Advice for a user whose MuJoCo is not the library's."""
     if version in FOR_HOSTS:
         return "pip install mimo[mujoco] brings the libmimo for it; import mujoco before mimo"
     return f"there is no libmimo for it yet, only for {', '.join([mujoco_version(), *FOR_HOSTS])}"
@@ -53,16 +59,17 @@ def _load(path: Path) -> Any:
         raise ImportError(
             f"there is no {path}; install the package with pip, or set MIMO_LIBRARY to the path of libmimo"
         )
-    # Its own scope (ctypes' default): another MuJoCo in this process neither disturbs nor is disturbed.
+    # RTLD_LOCAL, the default of ctypes, keeps it apart from another MuJoCo in this process.
     try:
         library = ctypes.CDLL(str(path))
     except OSError as error:
-        advice = "the MuJoCo in its folder has to be the one that came with it"
+        advice = "the MuJoCo in its folder must be the one that came with it"
         raise ImportError(f"{path} cannot be loaded: {error}; {advice}") from None
+    lacking = [name for name in _abi.FUNCTIONS if not hasattr(library, name)]
+    if lacking:
+        raise ImportError(f"{path} has no {', '.join(lacking)}; it belongs to another version of this package")
     for name, (result, arguments) in _abi.FUNCTIONS.items():
-        function = getattr(library, name, None)
-        if function is None:
-            raise ImportError(f"{path} has no {name}; it belongs to another version of this package")
+        function = getattr(library, name)
         function.restype, function.argtypes = result, arguments
     version = library.mimo_abi_version()
     if version != _abi.ABI_VERSION:
@@ -74,7 +81,7 @@ LIB = _load(library_path())
 
 
 def raise_error(status: int) -> None:
-    """Raises what the last failed call on this thread complained about."""
+    """Raises the error of the last failed call on this thread."""
     raise make_error(status, message_text(LIB.mimo_last_error()))
 
 
@@ -84,22 +91,56 @@ def check(status: int) -> None:
         raise_error(status)
 
 
+def defaults(struct: Type[S]) -> S:
+    """A config with the library's defaults."""
+    config = struct()
+    check(getattr(LIB, struct.init)(config, ctypes.sizeof(config)))
+    return config
+
+
+def result(kind: Any, function: Any, *arguments: Any) -> Any:
+    """The number or text that a function writes behind its arguments."""
+    value = kind()
+    check(function(*arguments, value))
+    return value.value
+
+
+def from_struct(kind: Type[T], struct: ctypes.Structure, **others: Any) -> T:
+    """A dataclass or named tuple made of the members of a struct that have its attributes' names."""
+    hints = _hints(cast(Any, kind))
+    values = {name: _converted(getattr(struct, name), hints[name]) for name in hints if name not in others}
+    return kind(**values, **others)
+
+
+@lru_cache(maxsize=None)
+def _hints(kind: Any) -> Any:
+    return get_type_hints(kind)
+
+
+def _converted(value: Any, kind: Any) -> Any:
+    if kind is str:
+        return text(value)
+    if isinstance(value, ctypes.Array):
+        return tuple(value) if get_origin(kind) is tuple else np.array(value)
+    return kind(value) if isinstance(kind, type) else value
+
+
 def text(value: Optional[bytes]) -> str:
-    """A name of the library's; bytes of a file's path or a model's name that are no UTF-8 find their way back."""
+    """A name from the library; bytes that are not UTF-8 survive the way back to it."""
     return (value or b"").decode(errors="surrogateescape")
 
 
 def message_text(value: Optional[bytes]) -> str:
-    """A message of the library's, always printable."""
+    """A message from the library, always printable."""
     return (value or b"").decode(errors="replace")
 
 
 def utf8(value: Optional[str], name: str = "name") -> Optional[bytes]:
-    """A string for the library. Python would pass an embedded zero on, and C would stop reading there."""
+    """A string for the library; refuses zero bytes, at which C would stop reading."""
     if value is None:
         return None
     if not isinstance(value, str):
-        raise TypeError(f"{name} is {value!r}, expected a text")
+        raise TypeError(f"{name} is {value!r}, expected a string")
     if "\0" in value:
         raise ValueError(f"{value!r} contains a zero byte")
     return value.encode(errors="surrogateescape")
@@ -110,7 +151,7 @@ _told = threading.local()
 
 @contextlib.contextmanager
 def told_before() -> Iterator[None]:
-    """While this thread makes once more what it has made: the library's messages were told the first time."""
+    """Suppresses log messages while this thread repeats calls that have logged them before."""
     before = getattr(_told, "before", False)
     _told.before = True
     try:
@@ -119,9 +160,9 @@ def told_before() -> Iterator[None]:
         _told.before = before
 
 
-@_abi.LogFunction  # type: ignore[untyped-decorator]
+@_abi.LogFn  # type: ignore[untyped-decorator]
 def log_to_python(_user: Any, told: Any) -> None:
-    """Hands the library's messages to the logger "mimo". Lives as long as the process, so no handle can outlive it."""
+    """Passes the library's messages to the logger "mimo". As a module-level function it outlives all handles."""
     if sys.is_finalizing() or getattr(_told, "before", False):
         return
     record = told.contents
@@ -131,12 +172,12 @@ def log_to_python(_user: Any, told: Any) -> None:
 
 
 def abi_version() -> int:
-    """Version of the library's binary interface, which is that of this package."""
+    """Version of the library's binary interface."""
     return int(LIB.mimo_abi_version())
 
 
 def api_version() -> Tuple[int, int]:
-    """Version of what the library declares: major, minor."""
+    """Version of the library's API: major, minor."""
     major, minor = divmod(LIB.mimo_api_version(), 1000)
     return major, minor
 

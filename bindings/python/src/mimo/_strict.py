@@ -1,4 +1,4 @@
-"""What is assigned counts, or is refused: attributes that are there, and arrays that are no copies."""
+"""Refuses assignments without effect: to unknown attributes, and into arrays that are copies."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PACKAGE = __name__.split(".")[0]
 
 
 class Strict:
-    """Takes no attribute that nobody would read; a class that a user derives may have attributes of its own."""
+    """Refuses unknown attributes; classes that users derive may have their own."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         kind: Any = type(self)
@@ -22,7 +22,7 @@ class Strict:
         object.__setattr__(self, name, value)
 
     def _have(self, **attributes: Any) -> None:
-        """Has attributes that users read but do not assign."""
+        """Sets attributes that users read but do not assign."""
         self.__dict__.update(attributes)
 
 
@@ -51,14 +51,14 @@ def _is_writable(member: Any) -> bool:
 
 
 class Reading(np.ndarray):
-    """What an attribute gives: a copy, so it cannot be written to. What is computed of it is an ordinary array.
+    """A read-only array: an attribute's value is a copy. Arrays computed from it are ordinary.
 
-    `joints.position += 0.1` works: it computes a new array, and assigns that.
+    `joints.position += 0.1` works: it computes a new array and assigns it.
     """
 
     def __setitem__(self, key: Any, value: Any) -> None:
         raise ValueError(
-            "writing to this array would change nothing, for it is a copy: assign to the attribute that gave it, "
+            "this array is a copy, so writing to it would change nothing: assign to the attribute, "
             "as in joints.position = values, or write to a copy() of it"
         )
 
@@ -66,9 +66,9 @@ class Reading(np.ndarray):
         plain = np.asarray(array)
         return plain if plain.ndim else plain[()]
 
-    # Copies, and what is pickled, are ordinary arrays.
+    # Copies and pickles are ordinary arrays.
     def copy(self, order: Any = "C") -> Any:
-        """An array of one's own, as numpy's."""
+        """A writable copy."""
         return np.array(self, order=order)
 
     def __copy__(self) -> Any:
@@ -86,7 +86,7 @@ for _name in ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow"):  # x +=
 
 
 def reading(values: NDArray[Any]) -> NDArray[Any]:
-    """The array as one that cannot be written to."""
+    """A read-only view of the array."""
     read = values.view(Reading)
     read.flags.writeable = False
     return read

@@ -1,4 +1,4 @@
-"""Checks of arguments that ctypes or numpy would take silently, or refuse without a word of what was expected."""
+"""Checks of arguments that ctypes or numpy would take silently, or refuse without saying what they expect."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 Choice = Union[Type[IntEnum], Type[IntFlag]]
 Method = TypeVar("Method", bound=Callable[..., Any])
-LONGEST = 60  # letters of a value that a message quotes
+LONGEST = 60  # longest value that a message quotes
 
 
 def whole_number(name: str, value: Any, choice: Optional[Choice] = None) -> int:
-    """An integer; where an enum is taken also the name of a member, in any case, and of bits several of these."""
+    """An integer; with `choice` also a member's name, in any case, and for flags several of these."""
     if choice is not None and isinstance(value, str):
         member = choice.__members__.get(value.upper())
         if member is None:
@@ -40,7 +40,7 @@ def _members(choice: Choice) -> str:
 
 
 def known_keywords(method: Method) -> Method:
-    """Says of an unexpected keyword which ones there are, and which one was meant."""
+    """Makes errors of unexpected keywords list the known ones and suggest the nearest."""
     known = list(inspect.signature(method).parameters)[1:]
 
     @wraps(method)
@@ -54,7 +54,7 @@ def known_keywords(method: Method) -> Method:
 
 
 def unexpected(name: str, known: Iterable[str]) -> TypeError:
-    """What is raised for a keyword that nobody knows."""
+    """The error for an unknown keyword."""
     near = difflib.get_close_matches(name, known, 1)
     meant = f"; did you mean {near[0]!r}?" if near else "."
     return TypeError(f"unexpected keyword argument {name!r}{meant} There are: {', '.join(known)}")
@@ -69,7 +69,7 @@ def real_number(name: str, value: Any) -> float:
 
 
 def vector(name: str, value: Any, count: int) -> NDArray[np.float64]:
-    """So many numbers, as an array."""
+    """An array of `count` numbers."""
     try:
         numbers = np.ascontiguousarray(value, np.float64)
         if np.shape(value) == (count,):
@@ -80,7 +80,7 @@ def vector(name: str, value: Any, count: int) -> NDArray[np.float64]:
 
 
 def numbers_in(name: str, value: Any, shape: Tuple[int, ...], kind: Any = np.float32) -> NDArray[Any]:
-    """An array of just this shape: numpy would spread one number over all."""
+    """An array of exactly this shape; numpy would broadcast a single number."""
     if isinstance(value, np.ndarray) and value.dtype == kind and value.shape == shape:
         return value
     try:
@@ -101,15 +101,15 @@ def described(value: Any) -> str:
 
 
 def reset_options(options: Optional[Mapping[str, Any]], *known: str) -> Mapping[str, Any]:
-    """The options of a reset, of those that are known."""
+    """The options of a reset; refuses unknown ones."""
     for name in options or {}:
         if name not in known:
-            raise ValueError(f"options has {name!r}, expected {' or '.join(map(repr, known)) or 'none at all'}")
+            raise ValueError(f"options has {name!r}, expected {' or '.join(map(repr, known)) or 'none'}")
     return options or {}
 
 
 def several(name: str, value: Any) -> List[str]:
-    """Names, of which one need not be in a list."""
+    """A list of names; a single name may be given as it is."""
     names = [value] if isinstance(value, str) else value
     if not isinstance(names, Iterable) or not all(isinstance(one, str) for one in names):
         raise TypeError(f"{name} is {value!r}, expected names")
@@ -117,7 +117,7 @@ def several(name: str, value: Any) -> List[str]:
 
 
 def index_in(name: str, value: Any, count: int) -> int:
-    """A number of one of so many; ctypes would silently take 2^64 for 0."""
+    """An index below `count`; ctypes would silently take 2^64 for 0."""
     index = whole_number(name, value)
     if not 0 <= index < count:
         raise ValueError(f"{name} is {value!r}, expected {'0' if count == 1 else f'0 to {count - 1}'}")
@@ -125,7 +125,7 @@ def index_in(name: str, value: Any, count: int) -> int:
 
 
 def number_of(name: str, value: Any, bits: int = 32) -> int:
-    """A count that the library takes in so many bits."""
+    """A number that fits into so many bits, not negative."""
     number = whole_number(name, value)
     if not 0 <= number < 2**bits:
         raise ValueError(f"{name} is {value!r}, expected 0 to 2^{bits} - 1")

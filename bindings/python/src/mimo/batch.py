@@ -13,69 +13,71 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import IN_MAIN, Native
-from ._library import LIB, check, message_text, raise_error
-from .access import Access, Mask
+from ._library import LIB, check, defaults, message_text, raise_error, result
+from .access import Access
 from .ages import Age, changed, growths, listed
 from .arguments import index_in, known_keywords, number_of, numbers_in, whole_number
 from .constants import Autoreset, Kind, Quantity
-from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
+from .contacts import contacts_of, step_contacts_of
 from .errors import Error, make_error
 from .layout import Layout, Observation
 from .options import Options, refuse_unknown
 from .results import Last, Numbers, Results, StepResult
 from .scene import Scene, prepare
-from .states import LoadReport, asked, reported
+from .selection import Mask
+from .selections import Contacts, StepContacts
+from .states import LoadReport, reported
 from .world import World, agents_of, env_config
 
 Seeds = Optional[Union[int, Sequence[Optional[int]]]]
 
 
 class Row:
-    """One world's part of what a batch senses; the world may also sense by itself."""
+    """One world's row of a batch's observations; the world may also observe on its own."""
 
     def __init__(self, batch: "Batch", index: int) -> None:
         self._batch, self._index = weakref.ref(batch), index
 
     def look(self, last: Last) -> None:
-        """Takes what the batch has sensed since the world last sensed anything."""
+        """Takes the batch's observation if it is newer than the world's."""
         batch = self._batch()
         if batch is not None and last.seen != batch._last.times:
             last.sensed = {name: field[self._index] for name, field in batch.observation.items()}
             last.seen = batch._last.times
 
     def sensed_itself(self, last: Last) -> None:
-        """Notes that the world has sensed later than the batch."""
+        """Marks the world's observation as newer than the batch's."""
         batch = self._batch()
         if batch is not None:
             last.seen = batch._last.times
 
 
-_working: "weakref.WeakSet[Batch]" = weakref.WeakSet()  # batches of which a step was sent
+_working: "weakref.WeakSet[Batch]" = weakref.WeakSet()  # batches with a step in flight
 
 
 def _wait_for_sent() -> None:
-    """Later a task in Python would end the batch's threads, and these the process, as Python has ended."""
+    """Waits while Python still runs: a task in Python could not return to the batch's threads afterwards."""
     for batch in list(_working):
         if not batch.closed:
             batch.drop_sent()
 
 
-if IN_MAIN:  # any other interpreter that waits here gets Python's lock never again, where the process ends
+if IN_MAIN:  # a subinterpreter that waits here would never get Python's lock back
     atexit.register(_wait_for_sent)
 
 
 class Batch(Access):
-    """Many worlds. World i does exactly what a single World does that is reset with seed i and given the i-th actions.
+    """Many worlds. World i behaves exactly like a single World with the i-th seed and the i-th actions.
 
-    `autoreset` says what happens when an episode ends, see mimo.Autoreset. A world whose simulation fails is cut off
-    (truncated) and starts anew unless `restart_failed` is False; otherwise the step raises mimo.SimulationError.
-    With `ages` (months, or options of growth) the infants of world i are as old as number i of them, which repeat.
+    `autoreset` selects what happens when an episode ends, see mimo.Autoreset. A world whose simulation fails is
+    truncated and starts a new episode; with `restart_failed=False` the step raises mimo.SimulationError instead. With
+    `ages` (months, or options of growth) the infants of world i have the i-th age; a shorter list repeats.
     """
 
-    blocks: NDArray[np.uint8]  # where step, reset and receive sense into, one row a world
-    final_blocks: NDArray[np.uint8]  # with SAME_STEP, the last observations of episodes that have ended
+    blocks: NDArray[np.uint8]  # observations of step, reset and receive, one row per world
+    final_blocks: NDArray[np.uint8]  # with SAME_STEP: last observations of ended episodes
     was_reset: NDArray[np.bool_]
-    status: NDArray[np.int32]
+    status: NDArray[np.int32]  # of mimo.Status, one per world
 
     def __init__(
         self,
@@ -95,7 +97,7 @@ class Batch(Access):
         self._settings["ages"] = None if ages is None else self._merged(listed("ages", ages))
         self._create(worlds)
         self._lead = (self.world_count,)
-        # Worlds that are in use keep the batch alive, not the other way round.
+        # Worlds keep the batch alive, the batch does not keep them.
         self._worlds: "weakref.WeakValueDictionary[int, World]" = weakref.WeakValueDictionary()
         self._names_handle = self._world_handle(0)
         layout = Layout(self._handle, LIB.mimo_batch_layout)
@@ -103,8 +105,7 @@ class Batch(Access):
         self._make_arrays()
 
     def _create(self, worlds: int) -> None:
-        config = _abi.BatchConfig()
-        check(LIB.mimo_batch_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.BatchConfig)
         config.worlds = number_of("worlds", worlds)
         self._have(world_count=config.worlds)
         config.threads = number_of("threads", self._settings["threads"])
@@ -128,17 +129,17 @@ class Batch(Access):
         self._show(self._results, self._views)
         places = self._places()
         self._results_place = ctypes.byref(places)
-        # What is written to by a step that was sent lives as long as the step: it may outlive this object.
+        # A step in flight writes to these arrays, and may outlive this object.
         self._handle.keeps = [places, self.blocks, self.final_blocks, self._result, self.was_reset, self.status]
-        self._sent: List[Any] = []  # what belongs to the step in flight; the handle has it, too
+        self._sent: List[Any] = []  # arrays of the step in flight; the handle keeps them, too
         self._handle.keeps.append(self._sent)
-        if self._scene._task is not None:  # which is asked about worlds while they are at work
+        if self._scene._task is not None:  # the task is called with these worlds during steps
             judged = [World._of_batch(self, index, keeps=False) for index in range(worlds)]
             self._handle.keeps += [self._scene._task, judged]
             self._scene._task.worlds.update((world._handle.value, world) for world in judged)
 
     def _places(self) -> _abi.BatchResults:
-        """Where results go, as the library's struct."""
+        """The C struct with the addresses of the results."""
         places = _abi.BatchResults(
             **self._results.places(),
             status=self.status.ctypes.data,
@@ -151,20 +152,17 @@ class Batch(Access):
 
     @property
     def threads(self) -> int:
-        """How many threads step the worlds."""
-        threads = ctypes.c_size_t()
-        check(LIB.mimo_batch_size(self._handle, None, threads))
-        return threads.value
+        """The number of threads that step the worlds."""
+        return int(result(ctypes.c_size_t, LIB.mimo_batch_size, self._handle, None))
 
     # ---- Stepping ------------------------------------------------------------------------------------------------
 
     @known_keywords
     def reset(self, seeds: Seeds = None, mask: Mask = None, ages: Optional[Sequence[Age]] = None) -> Observation:
-        """Starts episodes. One seed s means s, s + 1, ...; without, worlds go on with their own random numbers.
+        """Starts episodes. One seed s means s, s + 1, ...; without seeds, worlds continue their random numbers.
 
-        Of several seeds, one for each world, those that are None leave their worlds' random numbers as they are.
-
-        With `ages`, one for each world, infants become as old as that; None among them stay as they are.
+        Of a list of seeds, one per world, None lets that world continue its random numbers. With `ages`, one per
+        world, the infants get that age; None leaves them unchanged.
         """
         self.reset_into(self.blocks, seeds, mask, ages)
         return self._views
@@ -190,7 +188,7 @@ class Batch(Access):
             self._remember(ages, mask)
 
     def _parts(self, seeds: Seeds, mask: Optional[NDArray[np.uint8]]) -> List[Tuple[Any, Optional[NDArray[np.uint8]]]]:
-        """Seeds and masks of the calls that a reset takes: worlds whose seed is None have one of their own."""
+        """Seeds and masks of the calls that a reset makes: worlds without a seed need a call of their own."""
         if not isinstance(seeds, (list, tuple)) or None not in seeds:
             return [(self._seeds(seeds), mask)]
         seeded = np.array([seed is not None for seed in seeds], np.uint8)
@@ -206,7 +204,7 @@ class Batch(Access):
         return array
 
     def _merged(self, ages: Sequence[Age]) -> List[Age]:
-        """Ages with what the scene says of its first infant otherwise."""
+        """Ages, completed with the growth of the scene's first infant."""
         usual = self._scene._growths[0] if self._scene._growths else {}
         return [None if age is None else changed(usual, age) for age in ages]
 
@@ -222,7 +220,7 @@ class Batch(Access):
         self.layout._renew()
 
     def step(self, actions: Optional[ArrayLike] = None) -> StepResult:
-        """Goes one step on in all worlds; actions are worlds x actions, None leaves the motors as they are."""
+        """Steps all worlds; actions are worlds x actions, None keeps the motors' commands."""
         self.step_into(self.blocks, actions)
         return self._result
 
@@ -233,12 +231,12 @@ class Batch(Access):
         self._sense(blocks)
 
     def _sense(self, blocks: Optional[NDArray[np.uint8]], mask: Optional[NDArray[np.uint8]] = None) -> None:
-        """Remembers where worlds, all or those of a mask, have sensed into; None: they have not."""
+        """Remembers the blocks of the latest observation, of all worlds or those of a mask; None: there was none."""
         if blocks is None:
             return
         last = self._last
         for index, world in self._worlds.items() if mask is not None else ():
-            if not mask[index] and world._last.seen == last.times:  # type: ignore[index]  # it has sensed by itself
+            if not mask[index] and world._last.seen == last.times:  # type: ignore[index]  # it has observed on its own
                 world._last.seen += 1
         last.sensed, last.times = self._views if blocks is self.blocks else blocks, last.times + 1
 
@@ -246,12 +244,12 @@ class Batch(Access):
         return Row(self, index)
 
     def send(self, actions: Optional[ArrayLike] = None, blocks: Optional[NDArray[np.uint8]] = None) -> None:
-        """Starts a step and returns; receive() waits for it. By default it goes to the batch's own blocks."""
+        """Starts a step and returns; receive() waits for it. By default it writes to the batch's own blocks."""
         given = self._actions(actions)
-        given = None if given is None else given.copy()  # the caller may go on writing to it
+        given = None if given is None else given.copy()  # the caller may reuse its array
         target = self.blocks if blocks is None else blocks
         place = _place(target)
-        # Kept before it is sent: an interrupt may come at any moment from here on.
+        # Kept before sending: an interrupt may come at any moment from here on.
         self._sent.append((given, target))
         _working.add(self)
         status = LIB.mimo_batch_send(self._handle, *_place_of(given), *place, self._results_place)
@@ -260,13 +258,13 @@ class Batch(Access):
             raise_error(status)
 
     def drop_sent(self) -> None:
-        """Waits for a step that an interrupt may have left behind, if there is one; its results are lost."""
+        """Waits for a step that an interrupt may have left in flight, and drops its results."""
         if self._sent:
-            LIB.mimo_batch_receive(self._handle)  # complains where the interrupt came before the step was sent
+            LIB.mimo_batch_receive(self._handle)  # fails if the interrupt came before the step was sent
             self._sent.clear()
 
     def receive(self) -> StepResult:
-        """Waits for the step that was sent."""
+        """Waits for the step in flight."""
         status = LIB.mimo_batch_receive(self._handle)
         blocks = self._sent[-1][1] if self._sent else None
         self._sent.clear()
@@ -275,7 +273,7 @@ class Batch(Access):
         return self._result
 
     def observe_into(self, blocks: NDArray[np.uint8], mask: Mask = None) -> None:
-        """What the senses give for the current states, without changing trajectories."""
+        """Observes the current states without changing trajectories."""
         chosen = self._mask(mask)
         count = 0 if chosen is None else self.world_count
         check(LIB.mimo_batch_observe(self._handle, _data(chosen), count, *_place(blocks)))
@@ -290,11 +288,11 @@ class Batch(Access):
         )
 
     def contacts(self, world: int) -> Contacts:
-        """The contacts in one of the worlds, of its last physics step or its reset."""
+        """The contacts in one world, of its last physics step or its reset."""
         return contacts_of(self._world_handle(world))
 
     def step_contacts(self, world: int) -> StepContacts:
-        """What touched what in one of the worlds during its last step; needs the option step_contacts=True."""
+        """The contacts in one world during its last step; needs the option step_contacts=True."""
         return step_contacts_of(self._world_handle(world))
 
     def world(self, index: int) -> World:
@@ -307,14 +305,14 @@ class Batch(Access):
         return world
 
     def error(self, index: int) -> Optional[Error]:
-        """What became of one world in the last call: None, or what went wrong."""
+        """The error of one world in the last call, or None."""
         status, message = ctypes.c_int32(), ctypes.c_char_p()
         number = index_in("world", index, self.world_count)
         check(LIB.mimo_batch_world_error(self._handle, number, status, message))
         return make_error(status.value, message_text(message.value)) if status.value else None
 
     def close(self) -> None:
-        """Frees the batch and its worlds, once a step that was sent and the calls of other threads have ended."""
+        """Frees the batch and its worlds, after a step in flight and the calls of other threads have ended."""
         for world in list(self._worlds.values()):
             world.close()
         super().close()
@@ -340,22 +338,23 @@ class Batch(Access):
         return values
 
     def set_face(self, name: str, agent: int = 0, mask: Mask = None) -> None:
-        """Gives an infant another face, see mimo.faces()."""
+        """Sets an infant's face, see mimo.faces()."""
         self.set(Quantity.AGENT_FACE, self.find(Kind.FACE, name), [self._agent(agent)], mask)
 
     def save(self) -> List[bytes]:
         """The states of all worlds."""
-        row = asked(LIB.mimo_batch_state_size, self._handle)
+        row = result(ctypes.c_size_t, LIB.mimo_batch_state_size, self._handle)
         states = ctypes.create_string_buffer(row * self.world_count)
         check(LIB.mimo_batch_state_save(self._handle, None, 0, states, len(states)))
-        sizes = [asked(LIB.mimo_env_state_size, self._world_handle(i)) for i in range(self.world_count)]
+        worlds = map(self._world_handle, range(self.world_count))
+        sizes = [result(ctypes.c_size_t, LIB.mimo_env_state_size, world) for world in worlds]
         raw = states.raw
         return [raw[i * row : i * row + size] for i, size in enumerate(sizes)]
 
     def load(self, states: Union[bytes, Sequence[bytes]], mask: Mask = None) -> LoadReport:
-        """Loads one state into each world, or a single one into all: futures of one present.
+        """Loads one state into each world, or a single one into all.
 
-        Tells of the world where most started fresh.
+        Reports on the world in which most memories started fresh.
         """
         if not isinstance(states, bytes) and len(states) not in (1, self.world_count):
             raise ValueError(f"there are {len(states)} states, expected 1 or {self.world_count}")

@@ -1,4 +1,4 @@
-"""A map of the skin, unfolded: the body as it stands straight, from the front and from the back, side by side."""
+"""A map of the skin: the upright body from the front and from the back, side by side."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from .frames import placed, turned
 from .layout import Observation
 from .world import World
 
-GAP = 0.08  # of the map's height, between front and back
+GAP = 0.08  # between front and back, as a share of the map's height
 
 
 class BodyMap:
-    """Where an infant's sensors of touch lie on the map: x from 0 to `width`, y from 0 (soles) to 1 (crown).
+    """Places of an infant's touch sensors on the map: x from 0 to `width`, y from 0 (soles) to 1 (crown).
 
-    From the front an infant's right is on the left, from the back its left is, as on a doctor's sheet.
+    In the front view the infant's right is on the left, in the back view its left is.
     """
 
     def __init__(self, world: World, agent: int = 0) -> None:
@@ -41,7 +41,7 @@ class BodyMap:
         self.width = 4 * half + GAP
 
     def _straight(self, prefix: str) -> Tuple[Any, Any]:
-        """Places and normals in the frame of the trunk (front, left, up), with all joints of one number at 0."""
+        """Places and normals in the frame of the trunk (front, left, up), with all hinges and slides at 0."""
         receptors = self._world.layout.receptors(self.field)
         with self._world.clone() as straight:
             joints = straight.joints()
@@ -64,10 +64,10 @@ class BodyMap:
 
     @property
     def force(self) -> NDArray[np.float64]:
-        """What each sensor feels now, N."""
+        """The force on each sensor now, N."""
         return self.force_in(self._world.observation)
 
     def force_in(self, observation: Observation) -> NDArray[np.float64]:
-        """What each sensor feels in an observation, N."""
+        """The force on each sensor in an observation, N."""
         felt = observation[self.field].reshape(len(self.places), -1)
         return np.asarray(np.linalg.norm(felt, axis=1), np.float64)

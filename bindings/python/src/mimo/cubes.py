@@ -1,7 +1,7 @@
 """Cubes' textures for programs that draw them with mipmaps.
 
-A cube's six faces lie one above the other in one picture. Seen from afar, engines look into pictures of that picture
-with less pixels, in which a face's border has taken the next face's colours: seams. So each face gets a margin.
+A cube's six faces are stacked in one picture. In its smaller mipmaps a face's border mixes with the next face, which
+shows as seams. So each face gets a margin.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from .constants import TextureType
 from .geometry import Texture
 
 FACES = 6
-PARTS = 8  # a margin is this part of a face: mipmaps of an eighth of the size are still without seams
+PARTS = 8  # share of a face: mipmaps down to an eighth of the size show no seams
 
 
 def _margin(texture: Texture) -> int:
@@ -22,7 +22,7 @@ def _margin(texture: Texture) -> int:
 
 
 def picture(texture: Texture) -> NDArray[np.uint8]:
-    """A texture's pixels, red, green and blue; a cube's faces with margins, which repeat their borders."""
+    """A texture's pixels, red, green and blue; a cube's faces get margins that repeat their borders."""
     pixels, margin = texture.pixels[..., :3], _margin(texture)
     if margin == 0:
         return pixels
@@ -32,7 +32,7 @@ def picture(texture: Texture) -> NDArray[np.uint8]:
 
 
 def places(texture: Texture, texcoords: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Where a mesh's texcoords lie in that picture."""
+    """A mesh's texture coordinates in that picture."""
     margin = _margin(texture)
     if margin == 0:
         return texcoords

@@ -1,4 +1,4 @@
-"""Whether there is somebody to show something to."""
+"""Looks for a display."""
 
 from __future__ import annotations
 

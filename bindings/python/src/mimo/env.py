@@ -26,13 +26,12 @@ SUCCESS, FAILURE = int(Outcome.SUCCESS), int(Outcome.FAILURE)  # compared in eve
 
 
 class Env(gymnasium.Env[Any, NDArray[np.float32]]):
-    """A world as Gymnasium wants it.
+    """A world as a Gymnasium environment.
 
-    Observations are dicts of arrays by field name; with `flatten` one row of numbers. `task` may be an object derived
-    from mimo.Task, or the name of a built-in task. All further options are those of mimo.World.
-    `render_mode` is "rgb_array", "depth_array" (m) or "human", a page in the browser that shows the steps in real time
-    (needs the extra [view]); `camera` names the camera to render from, None is a view from the front; `width` and
-    `height` are those of the picture.
+    Observations are dicts of arrays by field name; with `flatten` one row of numbers. `task` is an instance of a class
+    derived from mimo.Task, or the name of a built-in task. mimo.World has the other options. `render_mode` is
+    "rgb_array", "depth_array" (m) or "human", a page in the browser that shows the steps in real time (needs the extra
+    [view]); `camera` names the camera to render from, None is a view from the front; `width` and `height` are pixels.
     """
 
     metadata: Dict[str, Any] = {"render_modes": [*ARRAYS, "human"], "render_fps": 100}  # noqa: RUF012
@@ -59,7 +58,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self.observation_space: Any = self._view.space
         self.action_space: Any = action_box(self.world.action_low, self.world.action_high)
         self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
-        if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
+        if isinstance(task, GoalTask):  # only with goals: learners test for this attribute
             self.compute_reward = task.compute_reward
         self._viewer: Any = None
         self._supply = Supply(self.world.layout)
@@ -69,9 +68,9 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Any, Dict[str, Any]]:
-        """Starts an episode. The first one without a seed starts from chance, further ones go on from there.
+        """Starts an episode. Without a seed the first one is random; later ones continue its random numbers.
 
-        options={"age": 6} makes the infant as old as that, in months; or {"age": {"age": 6, "sex": "female"}}.
+        options={"age": 6} sets the infant's age in months; so does {"age": {"age": 6, "sex": "female"}}.
         """
         age = reset_options(options, "age").get("age")
         super().reset(seed=seed)
@@ -86,9 +85,9 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._observation(dict(self.world.observation)), info
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
-        """Goes one step on."""
+        """Makes one step."""
         world = self.world
-        address, views = self._supply.take()  # fresh: what was returned before stays as it is
+        address, views = self._supply.take()  # a fresh block: arrays that were returned before stay
         world._step_at(address, world.layout.bytes, action)
         world._sense(views)
         if self.render_mode == "human":
@@ -103,7 +102,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         return self._observation(views), reward, terminated, truncated, judged_info(judged)
 
     def render(self) -> Any:
-        """A picture with render_mode "rgb_array" or "depth_array"; shows it in the browser with "human"."""
+        """A picture with render_mode "rgb_array" or "depth_array"; with "human" it shows in the browser."""
         if self.render_mode is None:
             without_mode(type(self))
             return None
@@ -117,7 +116,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         return None
 
     def close(self) -> None:
-        """Closes the world, and its page if there is one."""
+        """Closes the world, and its page in the browser."""
         if self._viewer is not None:
             self._viewer.close()
             self._viewer = None
@@ -134,11 +133,11 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self.__dict__.update(state)
         self._supply = Supply(self.world.layout)
         if self._judge is not None:
-            self._judge.task.setup(self.world)  # what it had looked up belonged to the other world
+            self._judge.task.setup(self.world)  # its selections belong to the other world
 
 
 def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: Optional[int], age: Age = None) -> None:
-    """Starts an episode, as the world's own task or one in Python has it, and senses into the block."""
+    """Starts an episode with the world's task or one in Python, and observes into the block."""
     if judge is None:
         world.reset_into(block, seed, age)
         return
@@ -148,7 +147,7 @@ def begin(world: World, judge: Optional[Judge], block: NDArray[np.uint8], seed: 
 
 
 def world_info(world: World, agent: int = 0) -> Dict[str, Any]:
-    """What the world's task tells of an infant's step."""
+    """The info of an infant's step by the world's task."""
     outcome = world.outcome.item(agent)
     return {
         "is_success": outcome == SUCCESS,
@@ -164,13 +163,13 @@ def start_info(world: World) -> Dict[str, Any]:
 
 
 def judged_info(judged: Judgement) -> Dict[str, Any]:
-    """What a task in Python tells of a step in one world."""
+    """The info of a step in one world by a task in Python."""
     info = {"is_success": bool(judged.success), "is_failure": bool(judged.failure), **judged.info}
     return {**info, "reward_terms": dict(judged.terms)} if judged.terms else info
 
 
 def check_sole(agents: Sequence[Any]) -> None:
-    """Raises unless a world has just one infant."""
+    """Raises unless a world has exactly one infant."""
     if len(agents) == 0:
         raise ValueError("the scene has no infant; add one with its add_agent()")
     if len(agents) != 1:
@@ -178,7 +177,7 @@ def check_sole(agents: Sequence[Any]) -> None:
 
 
 def with_task(options: Any, task: Union[Task, str, None]) -> Any:
-    """Options with a built-in task's name; a task of one's own takes the place of the scene's."""
+    """Options with a built-in task's name; a mimo.Task replaces the scene's task."""
     if task is None:
         return options
     if isinstance(task, type):
@@ -201,7 +200,7 @@ ENVIRONMENTS: List[Tuple[str, str]] = [
 
 
 def register() -> None:
-    """Makes gymnasium.make("mimo/Reach-v0") and its like work; `import mimo` calls it."""
+    """Registers "mimo/Reach-v0" and the others with Gymnasium; `import mimo` calls it."""
     for name, scene in ENVIRONMENTS:
         if name not in gymnasium.registry:
             gymnasium.register(

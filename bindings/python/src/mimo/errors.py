@@ -1,14 +1,16 @@
-"""What a failed call raises. Each carries the library's message: the argument, its value and what was expected."""
+"""Exceptions of failed calls. The library's message names the argument, its value and the expected one."""
 
 from __future__ import annotations
 
 from typing import Dict, Type
 
+from .constants import Status
+
 
 class Error(Exception):
-    """Whatever libmimo complains about; `status` is the C API's number."""
+    """Base of all exceptions for failed calls; `status` is what the call returned."""
 
-    status = 0
+    status = Status.OK
 
 
 class ArgumentError(Error, ValueError):
@@ -18,11 +20,11 @@ class ArgumentError(Error, ValueError):
 class ClosedError(Error, ValueError):
     """The scene, world or batch was closed."""
 
-    status = -2
+    status = Status.BAD_HANDLE
 
 
 class NotFoundError(Error, LookupError):
-    """No scene, body, joint, file... of that name; the message lists names that are there."""
+    """No scene, body, joint, file... of that name; the message lists existing names."""
 
 
 class ModelError(Error, ValueError):
@@ -50,15 +52,15 @@ class ForkedError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be written, or is not what it should be."""
+    """A file cannot be written, or has the wrong content."""
 
 
 class TaskError(Error, RuntimeError):
-    """A mimo.WorldTask raised something, or said what cannot be meant."""
+    """A mimo.WorldTask raised an exception or returned an invalid judgement."""
 
 
 class BusyError(Error, RuntimeError):
-    """Not now, and nothing was changed: another thread is using this object, or another call has to come first."""
+    """Another thread is using this object, or another call has to come first; nothing was changed."""
 
 
 class InternalError(Error, RuntimeError):
@@ -66,26 +68,27 @@ class InternalError(Error, RuntimeError):
 
 
 BY_STATUS: Dict[int, Type[Error]] = {
-    -1: ArgumentError,
-    -2: ClosedError,
-    -3: ArgumentError,
-    -4: InternalError,  # the structs of this package always have the library's size
-    -5: NotFoundError,
-    -6: ModelError,
-    -7: SimulationError,
-    -8: RenderError,
-    -9: UnsupportedError,
-    -10: OutOfMemoryError,
-    -11: ForkedError,
-    -12: InternalError,
-    -13: FileError,
-    -14: TaskError,
-    -15: BusyError,
+    Status.INVALID_ARGUMENT: ArgumentError,
+    Status.BAD_HANDLE: ClosedError,
+    Status.BUFFER_TOO_SMALL: ArgumentError,
+    Status.STRUCT_SIZE: InternalError,  # the structs of this package always have the library's size
+    Status.NOT_FOUND: NotFoundError,
+    Status.MODEL: ModelError,
+    Status.SIMULATION: SimulationError,
+    Status.RENDER: RenderError,
+    Status.UNSUPPORTED: UnsupportedError,
+    Status.OUT_OF_MEMORY: OutOfMemoryError,
+    Status.FORKED: ForkedError,
+    Status.INTERNAL: InternalError,
+    Status.FILE: FileError,
+    Status.TASK: TaskError,
+    Status.BUSY: BusyError,
 }
 
 
 def make_error(status: int, message: str) -> Error:
     """The exception for a status."""
-    error = BY_STATUS.get(status, InternalError)(message)
-    error.status = status
+    known = Status(status) if status in BY_STATUS else Status.INTERNAL
+    error = BY_STATUS[known](message)
+    error.status = known
     return error

@@ -1,4 +1,4 @@
-"""Scenes as files that other programs open: python -m mimo.export --usd infant.usdc --scene S."""
+"""Exports scenes to other programs: python -m mimo.export --usd infant.usdc --scene S."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from .world import World
 
 
 def main() -> int:
-    """Writes a scene as it starts."""
+    """Writes the initial state of a scene."""
     parser = argparse.ArgumentParser(prog="python -m mimo.export", description="Writes a scene as a USD file.")
-    parser.add_argument("--usd", required=True, metavar="FILE", help="to be written: .usdc, .usda, or .usdz")
+    parser.add_argument("--usd", required=True, metavar="FILE", help="file to write: .usdc, .usda, or .usdz")
     parser.add_argument("--scene", default="benchmark", help=f"one of {', '.join(scenes())}")
     parser.add_argument("--seed", type=int, default=0, help="of the start (0)")
     parser.add_argument("--age", type=float, help="of the infants, months")

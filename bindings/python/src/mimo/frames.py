@@ -20,13 +20,13 @@ def turned(rotations: ArrayLike, points: ArrayLike) -> Array:
 
 
 def inverse(rotations: ArrayLike) -> Array:
-    """The rotations that undo these (n x 4)."""
+    """Inverse rotations (n x 4)."""
     undone: Array = np.atleast_2d(rotations) * np.array([1, -1, -1, -1])
     return undone
 
 
 def after(first: ArrayLike, second: ArrayLike) -> Array:
-    """Rotations (n x 4) that turn as `second` and then as `first`: their product."""
+    """Products of rotations (n x 4): first `second`, then `first`."""
     a, b = np.atleast_2d(first), np.atleast_2d(second)
     w = a[:, :1] * b[:, :1] - np.sum(a[:, 1:] * b[:, 1:], axis=1, keepdims=True)
     xyz = a[:, :1] * b[:, 1:] + b[:, :1] * a[:, 1:] + np.cross(a[:, 1:], b[:, 1:])
@@ -34,6 +34,6 @@ def after(first: ArrayLike, second: ArrayLike) -> Array:
 
 
 def placed(positions: ArrayLike, rotations: ArrayLike, points: ArrayLike) -> Array:
-    """Points (n x 3) of frames, each with a position and a rotation, in the frame that these are given in."""
+    """Points (n x 3) in frames with a position and a rotation each, converted to the outer frame."""
     moved: Array = turned(rotations, points) + np.atleast_2d(positions)
     return moved

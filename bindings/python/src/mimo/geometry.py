@@ -10,15 +10,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
-from ._library import LIB, check
+from ._library import LIB, check, defaults, from_struct, result
 from .access import Access
 from .arguments import real_number, whole_number
-from .constants import Axes, Kind, TextureType
+from .constants import HEADLIGHT, Axes, Kind, TextureType
 
 Floats = NDArray[np.float32]
 AxesOf = Union[Axes, int, str]  # "unity" as well
-
-HEADLIGHT = -1  # the light that every camera carries
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,12 +26,12 @@ class Mesh:
     positions: Floats  # n x 3
     normals: Floats  # n x 3, unit vectors
     texcoords: Floats  # n x 2; (0, 0) is where the texture's first row begins
-    triangles: NDArray[np.uint32]  # m x 3, numbers of vertices in the order that the engine takes for an outside
+    triangles: NDArray[np.uint32]  # m x 3, vertex indices in the engine's winding order for front faces
 
 
 @dataclass(frozen=True)
 class Appearance:
-    """How a geom looks."""
+    """Look of a geom."""
 
     visible: bool  # MuJoCo would draw it
     group: int
@@ -47,7 +45,7 @@ class Appearance:
 
 @dataclass(frozen=True, eq=False)
 class Texture:
-    """A picture on geoms; a cube's six are one above the other."""
+    """A texture; the six pictures of a cube are stacked."""
 
     type: TextureType
     pixels: NDArray[np.uint8]  # height x width x 4: red, green, blue, 255
@@ -55,7 +53,7 @@ class Texture:
 
 @dataclass(frozen=True, eq=False)
 class Light:
-    """A light of now."""
+    """The current state of a light."""
 
     active: bool
     directional: bool
@@ -64,7 +62,7 @@ class Light:
     exponent: float
     position: Floats
     direction: Floats
-    ambient: Floats  # red, green, blue, as the next two
+    ambient: Floats  # red, green, blue, like the next two
     diffuse: Floats
     specular: Floats
     attenuation: Floats  # 1 / (a0 + a1 d + a2 d^2) at a distance of d metres
@@ -72,22 +70,21 @@ class Light:
 
 @dataclass(frozen=True, eq=False)
 class Poses:
-    """Where all elements of a kind are."""
+    """Poses of all elements of a kind."""
 
     positions: Floats  # n x 3
     rotations: Floats  # n x 4: w x y z in the library's axes, x y z w in all others
 
 
 class Geometry(Access):
-    """What a world gives to programs that draw it themselves; see docs/engines.md."""
+    """Base of worlds, for programs that draw them; see docs/engines.md."""
 
     def _geom(self, geom: Union[int, str]) -> int:
         return self.find(Kind.GEOM, geom) if isinstance(geom, str) else _int32("geom", geom)
 
     def mesh(self, geom: Union[int, str], axes: AxesOf = Axes.MIMO, segments: int = 24, plane: float = 20.0) -> Mesh:
         """A geom as triangles. segments: pieces of a circle; plane: half the size of endless planes, m."""
-        mesh = _abi.Mesh()
-        check(LIB.mimo_mesh_init(mesh, ctypes.sizeof(mesh)))
+        mesh = defaults(_abi.Mesh)
         mesh.axes, mesh.segments = whole_number("axes", axes, Axes), _uint32("segments", segments)
         mesh.plane, number = real_number("plane", plane), self._geom(geom)
         check(LIB.mimo_env_mesh(self._names_handle, number, mesh))
@@ -109,27 +106,15 @@ class Geometry(Access):
         return [self.mesh(geom, axes, segments, plane) for geom in range(self.count(Kind.GEOM))]
 
     def appearance(self, geom: Union[int, str]) -> Appearance:
-        """How a geom looks now."""
+        """The current look of a geom."""
         raw = _abi.Appearance()
         check(LIB.mimo_env_appearance(self._names_handle, self._geom(geom), raw))
-        red, green, blue, opacity = raw.color
-        return Appearance(
-            bool(raw.visible),
-            raw.group,
-            raw.texture,
-            (red, green, blue, opacity),
-            raw.emission,
-            raw.specular,
-            raw.shininess,
-            raw.reflectance,
-        )
+        return from_struct(Appearance, raw)
 
     @property
     def texture_count(self) -> int:
-        """How many textures there are; ids are 0 to texture_count - 1."""
-        count = ctypes.c_size_t()
-        check(LIB.mimo_env_texture_count(self._names_handle, count))
-        return count.value
+        """The number of textures; ids are 0 to texture_count - 1."""
+        return int(result(ctypes.c_size_t, LIB.mimo_env_texture_count, self._names_handle))
 
     def texture(self, texture: int) -> Texture:
         """A texture as pixels."""
@@ -144,22 +129,14 @@ class Geometry(Access):
         """A light, or the one that every camera carries."""
         raw = _abi.Light(axes=whole_number("axes", axes, Axes))
         check(LIB.mimo_env_light(self._names_handle, _int32("light", light), raw))
-        vectors = ("position", "direction", "ambient", "diffuse", "specular", "attenuation")
-        return Light(
-            bool(raw.active),
-            bool(raw.directional),
-            bool(raw.casts_shadow),
-            raw.cutoff,
-            raw.exponent,
-            *(np.array(getattr(raw, name), np.float32) for name in vectors),
-        )
+        return from_struct(Light, raw)
 
     def light_sources(self, axes: AxesOf = Axes.MIMO) -> List[Light]:
-        """All lights but the headlight."""
+        """All lights except the headlight."""
         return [self.light(light, axes) for light in range(self.count(Kind.LIGHT))]
 
     def poses(self, kind: Kind = Kind.GEOM, axes: AxesOf = Axes.MIMO) -> Poses:
-        """Where all bodies, geoms, sites or cameras are now."""
+        """Current poses of all bodies, geoms, sites or cameras."""
         number, frame = whole_number("kind", kind, Kind), whole_number("axes", axes, Axes)
         all_of = np.empty((self.count(kind), 7), np.float32)
         check(LIB.mimo_env_poses(self._names_handle, number, frame, all_of.ctypes.data, all_of.size))
@@ -167,12 +144,12 @@ class Geometry(Access):
 
 
 def convert_points(points: ArrayLike, axes: AxesOf) -> Floats:
-    """Places of ours (n x 3, m), of touch sensors for example, in another frame."""
+    """Converts points (n x 3, m) from the library's axes."""
     return _converted(LIB.mimo_convert_points, "points", points, axes)
 
 
 def convert_directions(directions: ArrayLike, axes: AxesOf) -> Floats:
-    """Directions of ours (n x 3): forces, normals; their lengths stay."""
+    """Converts directions (n x 3: forces, normals) from the library's axes; lengths stay."""
     return _converted(LIB.mimo_convert_directions, "directions", directions, axes)
 
 
@@ -193,7 +170,7 @@ def _uint32(name: str, value: Any) -> int:
 
 
 def _within(name: str, value: Any, low: int, high: int) -> int:
-    """Within what ctypes would not silently cut off."""
+    """A number in a range; ctypes would silently wrap it."""
     number = whole_number(name, value)
     if not low <= number <= high:
         raise ValueError(f"{name} is {value!r}, expected {low} to {high}")

@@ -1,7 +1,7 @@
-"""Key points of videos and marker sets: where they lie on an infant, their tables, and the camera that saw them.
+"""Key points of videos and marker sets: their places on an infant, their tables, and cameras.
 
 A table has a column `time` in s, and for each point NAME:x, NAME:y, NAME:z in m, world frame, or NAME:u, NAME:v in
-pixels from the upper left corner; NAME:w is how far it is to be believed, 0 to 1. An empty cell is a point not seen.
+pixels from the upper left corner; NAME:w is its confidence, 0 to 1. An empty cell is an unseen point.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from .frames import inverse, turned
 from .results import Numbers
 from .world import World
 
-# Usual names of points at joints, and the bodies that begin there.
+# Common names of key points at joints, and the bodies that begin there.
 JOINTS = {
     "shoulder": "upper_arm",
     "elbow": "lower_arm",
@@ -31,19 +31,19 @@ JOINTS = {
     "knee": "lower_leg",
     "ankle": "foot",
 }
-# On the head, in radii of its sphere from the middle, forward, left, up: where our models have their faces.
+# On the head, in radii of its sphere from the centre: forward, left, up.
 FACE = {"nose": (1.0, 0.0, -0.15), "left_ear": (0.0, 1.0, 0.0), "right_ear": (0.0, -1.0, 0.0)}
 
 Place = Tuple[str, Union[Sequence[float], Numbers]]
 
 
 class KeyPoints(NamedTuple):
-    """What was seen: times of n rows, names of k points, values (n, k, 3), m, or (n, k, 2), pixels, weights (n, k)."""
+    """Times of n rows, names of k points, their values (n, k, 3), m, or (n, k, 2), pixels, and weights (n, k)."""
 
     times: Numbers
     names: List[str]
-    values: Numbers  # NaN where a point was not seen
-    weights: Numbers  # 0 there
+    values: Numbers  # NaN for unseen points
+    weights: Numbers  # 0 for unseen points
 
 
 class Camera:
@@ -60,7 +60,7 @@ class Camera:
     def pinhole(
         cls, fovy: float, width: int, height: int, position: ArrayLike, look_at: ArrayLike, up: ArrayLike = (0, 0, 1)
     ) -> "Camera":
-        """A camera without distortion: vertical field of view, degrees; pixels; its place and a point in the middle."""
+        """A camera without distortion; `fovy` is its vertical field of view, degrees."""
         if not 0 < fovy < 180:
             raise ValueError(f"fovy is {fovy}, expected more than 0 and less than 180 degrees")
         at = np.asarray(position, np.float64)
@@ -84,9 +84,9 @@ class Camera:
                 given = json.load(file)
                 return cls(given["matrix"]) if "matrix" in given else cls.pinhole(**given)
             except RecursionError:
-                raise ValueError(f"{path} is no camera: it is nested too deeply") from None
+                raise ValueError(f"{path} is not a camera: it is nested too deeply") from None
             except (ValueError, TypeError, KeyError) as error:
-                raise ValueError(f"{path} is no camera: {error}") from None
+                raise ValueError(f"{path} is not a camera: {error}") from None
 
     def project(self, points: Numbers) -> Numbers:
         """Pixels (k, 2) of points (k, 3)."""
@@ -94,16 +94,16 @@ class Camera:
         return np.asarray(seen[:, :2] / seen[:, 2:])
 
     def slopes(self, points: Numbers) -> Numbers:
-        """How pixels move as points do: (k, 2, 3)."""
+        """Derivatives of the pixels by the points: (k, 2, 3)."""
         linear = self.matrix[:, :3]
         depth = points @ linear[2] + self.matrix[2, 3]
         return np.asarray((linear[:2] - self.project(points)[:, :, None] * linear[2]) / depth[:, None, None])
 
 
 def places_of(world: World, names: Sequence[str], own: Dict[str, Place], agent: int = 0) -> Tuple[List[int], Numbers]:
-    """The body of each point, and where the point is in that body's frame.
+    """The body of each point, and the point in that body's frame.
 
-    Names are those of `own`, of bodies, or usual ones: left_shoulder, ..., nose, left_ear; "left_eye" is a body.
+    Names are keys of `own`, bodies, or common names: left_shoulder, ..., nose, left_ear; "left_eye" is a body.
     """
     lead = list(prefixes(world))[agent] if world.agents else ""
     bodies, offsets = [], []
@@ -131,7 +131,7 @@ def _usual(world: World, lead: str, name: str) -> Place:
 
 
 def _end_of_parent(world: World, body: str, lead: str) -> Place:
-    """Where a body begins, on the one before it: a hand's own turns do not move the wrist."""
+    """The start of a body as a point of its parent, so that a hand's rotation does not move the wrist."""
     number = world.find(Kind.BODY, body)
     hinges = np.flatnonzero(world.joints().body_ids == number).tolist()
     parent = world.name(Kind.BODY, int(world.bodies().body_ids[number]))
@@ -143,7 +143,7 @@ def _end_of_parent(world: World, body: str, lead: str) -> Place:
 
 
 def read_points(path: str) -> KeyPoints:
-    """A table of key points; a ValueError names the line and the column that are wrong."""
+    """A table of key points; a ValueError names the wrong line and column."""
     lines = _cells(path)
     header = [cell.strip() for cell in lines[0]] if lines else []
     if "time" not in header:
@@ -166,7 +166,7 @@ def read_points(path: str) -> KeyPoints:
 
 
 def _cells(path: str) -> List[List[str]]:
-    """Cells between commas; between semicolons or tabs, as mimo replay takes them, with decimal commas as points."""
+    """Cells between commas, or between semicolons or tabs with decimal commas, as in `mimo replay`."""
     with open(path, newline="", encoding="utf-8-sig") as file:
         unquoted = "".join(file.readline().split('"')[::2])
         separator = next((one for one in ",;\t" if one in unquoted), ",")
@@ -187,7 +187,7 @@ def _row(path: str, line: int, header: List[str], cells: List[str]) -> List[floa
     row = []
     for name, cell in zip(header, cells):
         try:
-            row.append(float(cell.replace("_", "?")) if cell.strip() else np.nan)  # 1_0 is a slip here, not 10
+            row.append(float(cell.replace("_", "?")) if cell.strip() else np.nan)  # 1_0 is a typing error here, not 10
         except ValueError:
             raise ValueError(f"{path}, line {line}: column {name!r} should be a number, not {cell!r}") from None
         if np.isinf(row[-1]) or (name.endswith(":w") and row[-1] < 0):
@@ -213,7 +213,7 @@ def _points(path: str, times: Numbers, names: List[str], parts: str, columns: Di
 
 
 def write_table(path: str, names: Sequence[str], rows: Union[Numbers, Sequence[Sequence[float]]]) -> None:
-    """Numbers with all their digits; what is not a number is left empty."""
+    """Numbers with all their digits; NaN becomes an empty cell."""
     with new_file(path) as beside, open(beside, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(names)

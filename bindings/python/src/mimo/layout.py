@@ -1,4 +1,4 @@
-"""What is observed, what acts and what is rewarded; and blocks: one piece of memory that holds all observed fields."""
+"""Layouts: fields, actions and reward terms; and blocks, which hold all fields in one piece of memory."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ from numpy.typing import NDArray
 
 from . import _abi
 from ._handle import Native
-from ._library import LIB, check, text, utf8
+from ._library import LIB, check, from_struct, result, text, utf8
 from ._strict import Strict
-from .constants import Receptor
+from .constants import FieldType, Receptor
 from .errors import ClosedError
 
 ALIGNMENT = 64
 SUPPLY_BYTES = 65536
 DTYPES: Dict[int, np.dtype[Any]] = {
-    1: np.dtype(np.uint8),
-    2: np.dtype(np.int32),
-    3: np.dtype(np.float32),
-    4: np.dtype(np.float64),
+    FieldType.U8: np.dtype(np.uint8),
+    FieldType.I32: np.dtype(np.int32),
+    FieldType.F32: np.dtype(np.float32),
+    FieldType.F64: np.dtype(np.float64),
 }
 
 Observation = Dict[str, NDArray[Any]]
-SENSES = ("proprioception", "vestibular", "touch", "vision", "hearing")  # with an option of that name
+SENSES = ("proprioception", "vestibular", "touch", "vision", "hearing")  # each an option of the same name
 
 
 class Fields(Dict[str, NDArray[Any]]):
-    """A dict of fields by name, which says of one that is not there why it is not."""
+    """A dict of fields by name; for a missing one the error says why."""
 
     def __missing__(self, name: Any) -> NDArray[Any]:
         raise NoFieldError(_no_field(str(name), list(self)))
@@ -59,22 +59,22 @@ def _no_field(name: str, names: List[str]) -> str:
 
 @dataclass(frozen=True)
 class Field:
-    """One field of an observation. It belongs to the time from `start` to `end`, s after the step's end, both <= 0."""
+    """One field of an observation, for the time from `start` to `end`, s after the step's end, both <= 0."""
 
     name: str  # "proprioception/position"
     dtype: np.dtype[Any]
     shape: Tuple[int, ...]
     unit: str  # "rad", "" for none
     frame: str  # frame of reference, "" for none
-    low: float  # smallest possible value, -inf where there is none
+    low: float  # smallest possible value, -inf if unbounded
     high: float
-    start: float  # 0 for the step's end, negative for what is older
-    end: float  # later than start for what was gathered meanwhile
+    start: float  # 0: the step's end; negative: earlier
+    end: float  # later than start if it covers the time between
     period: float  # s from one new value to the next
     offset: int  # bytes from the start of the block
-    receptors: int  # on how many it reports, in the order of its first axis; 0: it is not of skin
-    sample_rate: float  # of sound, samples a second, the oldest first; 0: it is no sound
-    labels: Tuple[str, ...]  # what each element is ("robot:left_elbow"); empty for pictures and touch
+    receptors: int  # number of touch sensors, along the first axis; 0 for other fields
+    sample_rate: float  # of sound: samples per second, the oldest first; 0 for other fields
+    labels: Tuple[str, ...]  # a name for each element ("robot:left_elbow"); empty for pictures and touch
 
 
 @dataclass(frozen=True)
@@ -83,21 +83,21 @@ class Action:
 
     name: str  # "act:left_elbow"
     unit: str  # "rad", "" for none
-    agent: int  # number of the infant whose it is
+    agent: int  # number of its infant
     low: float
     high: float
 
 
 @dataclass(frozen=True)
 class Term:
-    """A part of an infant's reward, which is their sum."""
+    """A part of an infant's reward; the reward is the sum of its terms."""
 
     name: str  # "distance"
     agent: int  # number of the infant
 
 
 class Receptors(NamedTuple):
-    """Where a field's receptors are, in the order of its first axis."""
+    """Places of a field's receptors, in the order of its first axis."""
 
     bodies: NDArray[np.int32]  # n
     geoms: NDArray[np.int32]  # n
@@ -106,9 +106,9 @@ class Receptors(NamedTuple):
 
 
 class Layout(Strict):
-    """What a world, a batch or attached senses observe, act with and are rewarded for.
+    """Fields, actions and reward terms of a world, a batch or attached senses.
 
-    `fields` are by name, in the order of the block; `actions` and `terms` in that of their arrays.
+    `fields` maps names, in the order of the block; `actions` and `terms` have the order of their arrays.
     """
 
     bytes: int  # of a block
@@ -118,7 +118,7 @@ class Layout(Strict):
     terms: Tuple[Term, ...]
 
     def __init__(self, owner: Native, layout_of: Callable[[Native, ctypes.c_void_p], int]) -> None:
-        self._owner = weakref.ref(owner)  # which is not to live as long as its description
+        self._owner = weakref.ref(owner)  # a weak reference: the layout does not keep its owner alive
         self._handle, info = ctypes.c_void_p(), _abi.LayoutInfo()
         check(layout_of(owner, self._handle))
         check(LIB.mimo_layout_describe(self._handle, info))
@@ -141,25 +141,25 @@ class Layout(Strict):
         )
 
     def new_block(self, *lead: int) -> NDArray[np.uint8]:
-        """Memory for an observation, zeros, aligned; for several worlds with their number in front."""
+        """Memory for an observation, zeroed and aligned; for several worlds give their number."""
         count = int(np.prod(lead, dtype=np.int64)) * self.bytes
         room = np.zeros(count + ALIGNMENT, np.uint8)
         start = -room.ctypes.data % ALIGNMENT
         return room[start : start + count].reshape((*lead, self.bytes))
 
     def views(self, block: NDArray[np.uint8]) -> Observation:
-        """The fields of a block. They are views: they share its memory, and keep it alive."""
+        """The fields of a block, as views that share its memory and keep it alive."""
         record = np.ndarray(block.shape[:-1], self._record, block)
         return Fields((name, record[name]) for name in self._names)
 
     def _renew(self) -> None:
-        """Reads anew when fields are true: infants of other ages are late by other times."""
+        """Updates the times of fields, which change with the infants' ages."""
         for index, field in enumerate(self.fields.values()):
             now = self._raw(index)
             self.fields[field.name] = replace(field, start=now.start, end=now.end)
 
     def receptors(self, name: str) -> Receptors:
-        """Where a field's receptors are; none where it is not of skin."""
+        """Places of a field's receptors; empty for fields without skin."""
         _owner, index = self._find(name)
         return Receptors(
             bodies=self._of_receptors(index, Receptor.BODY).astype(np.int32),
@@ -169,9 +169,9 @@ class Layout(Strict):
         )
 
     def delays(self, name: str) -> NDArray[np.float64]:
-        """How late each element of a field comes, s, in the order of the flattened field; 0 for what comes at once.
+        """Delay of each element of a field, s, in the order of the flattened field; 0: none.
 
-        In a batch, like the times of its fields: as world 0 was made.
+        In a batch the delays, like the times of fields, are those of world 0 when it was made.
         """
         _owner, index = self._find(name)
         delays = np.empty(int(np.prod(self.fields[name].shape)))
@@ -179,9 +179,9 @@ class Layout(Strict):
         return delays
 
     def directions(self, name: str) -> NDArray[np.float32]:
-        """Where the pixels of a picture lie, foveated or not: unit vectors, height x width x 3.
+        """Directions of a picture's pixels, foveated or not: unit vectors, height x width x 3.
 
-        They lead from the eye or camera to the middle of each pixel, in its frame: x right, y up, z backwards.
+        Each leads from the eye or camera to the middle of a pixel, in its frame: x right, y up, z backwards.
         """
         _owner, index = self._find(name)
         directions = np.empty((*self.fields[name].shape[:2], 3), np.float32)
@@ -189,18 +189,15 @@ class Layout(Strict):
         return directions
 
     def _find(self, name: str) -> Tuple[Native, int]:
-        """What this describes, which no other thread destroys while the caller holds it, and a field's index."""
-        wanted, index = utf8(name), ctypes.c_size_t()
+        """The owner, which stays alive while the caller holds it, and a field's index."""
+        wanted = utf8(name)
         owner = self._owner()
         if owner is None:
-            raise ClosedError("what this layout describes is closed")
-        check(LIB.mimo_layout_find(self._handle, wanted, index))
-        return owner, index.value
+            raise ClosedError("the world, batch or senses of this layout are closed")
+        return owner, result(ctypes.c_size_t, LIB.mimo_layout_find, self._handle, wanted)
 
     def _of_receptors(self, field: int, quantity: Receptor) -> NDArray[np.float64]:
-        count = ctypes.c_size_t()
-        check(LIB.mimo_layout_receptor_width(self._handle, field, quantity, count))
-        values = np.empty(count.value)
+        values = np.empty(result(ctypes.c_size_t, LIB.mimo_layout_receptor_width, self._handle, field, quantity))
         check(LIB.mimo_layout_receptors(self._handle, field, quantity, values.ctypes.data, values.size))
         return values
 
@@ -211,47 +208,32 @@ class Layout(Strict):
 
     def _field(self, index: int) -> Field:
         field = self._raw(index)
-        shape = tuple(field.shape[: field.ndim])
-        return Field(
-            name=text(field.name),
-            dtype=DTYPES[field.dtype],
-            shape=shape,
-            unit=text(field.unit),
-            frame=text(field.frame),
-            low=field.low,
-            high=field.high,
-            start=field.start,
-            end=field.end,
-            period=field.period,
-            offset=field.offset,
-            receptors=field.receptors,
-            sample_rate=field.sample_rate,
-            labels=self._labels(index, int(np.prod(shape))),
-        )
+        shape = tuple((ctypes.c_size_t * field.ndim).from_address(field.shape))
+        labels = self._labels(index, int(np.prod(shape)))
+        return from_struct(Field, field, dtype=DTYPES[field.dtype], shape=shape, labels=labels)
 
     def _labels(self, field: int, count: int) -> Tuple[str, ...]:
-        label = ctypes.c_char_p()
-        labels = []
+        labels: List[str] = []
         for element in range(count):
-            check(LIB.mimo_layout_label(self._handle, field, element, label))
-            if not label.value:
+            label = text(result(ctypes.c_char_p, LIB.mimo_layout_label, self._handle, field, element))
+            if not label:
                 return ()
-            labels.append(text(label.value))
+            labels.append(label)
         return tuple(labels)
 
     def _action(self, index: int) -> Action:
         action = _abi.Action()
         check(LIB.mimo_layout_action(self._handle, index, action))
-        return Action(text(action.name), text(action.unit), action.agent, action.low, action.high)
+        return from_struct(Action, action)
 
     def _term(self, index: int) -> Term:
         term = _abi.Term()
         check(LIB.mimo_layout_term(self._handle, index, term))
-        return Term(text(term.name), term.agent)
+        return from_struct(Term, term)
 
 
 class Supply:
-    """Fresh blocks, one for each observation that is handed out; cheap, because memory is taken for many at a time."""
+    """Fresh blocks, one for each returned observation; memory is allocated for many at a time."""
 
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
@@ -259,7 +241,7 @@ class Supply:
         self._next = self._count
 
     def take(self) -> Tuple[int, Observation]:
-        """The address of a new block, and the views of its fields."""
+        """The address of a new block, and views of its fields."""
         if self._next == self._count:
             blocks = self._layout.new_block(self._count)
             self._address = blocks.ctypes.data

@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from typing import Optional
 
 from . import _abi
-from ._library import LIB, check
+from ._library import LIB, check, defaults, from_struct
 from .arguments import real_number
 
 
@@ -36,8 +36,7 @@ class Maturity:
         """That of an age, 0 (a newborn) to 24 months; flicker and contrast_threshold, which are options, stay off."""
         raw = _abi.Maturity()
         check(LIB.mimo_maturity_at(real_number("age", age), raw, ctypes.sizeof(raw)))
-        numbers = {name: getattr(raw, name) for name in cls.__dataclass_fields__}
-        return cls(**{**numbers, "contrast_threshold": bool(raw.contrast_threshold)})
+        return from_struct(cls, raw)
 
 
 def maturity_from(maturity: Optional[Maturity]) -> Optional[_abi.Maturity]:
@@ -46,8 +45,7 @@ def maturity_from(maturity: Optional[Maturity]) -> Optional[_abi.Maturity]:
         return None
     if not isinstance(maturity, Maturity):
         raise TypeError(f"maturity is {maturity!r}, expected a mimo.Maturity or None")
-    raw = _abi.Maturity()
-    check(LIB.mimo_maturity_init(raw, ctypes.sizeof(raw)))
+    raw = defaults(_abi.Maturity)
     numbers = asdict(maturity)
     raw.contrast_threshold = bool(numbers.pop("contrast_threshold"))
     for name, value in numbers.items():

@@ -1,6 +1,6 @@
-"""Tasks that run inside the library's reset and step, as in C: their fields are part of the layout.
+"""Tasks that run inside the library's reset and step, as in C; their fields are part of the layout.
 
-For many worlds a mimo.Task is faster, for it judges all of them at once.
+For many worlds a mimo.Task is faster, because it judges all of them at once.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from gymnasium import spaces
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
-from ._library import LIB, check, utf8
+from ._library import LIB, check, defaults, utf8
 from ._strict import Strict
 from .arguments import number_of
-from .constants import Outcome
+from .constants import Outcome, Status
 from .errors import Error
 from .layout import Observation
 from .tasks import Judgement, missing
@@ -25,20 +25,18 @@ from .tasks import Judgement, missing
 if TYPE_CHECKING:
     from .world import World
 
-FAILED = -14  # MIMO_E_TASK
-
 
 class Moment(Strict):
-    """What a task is told: of whom it is asked, and what happened. All arrays are copies, good for as long as you like.
+    """The infant that a task judges, and its step. All arrays are copies that stay valid.
 
-    What is in `memory` and `fields` when the method returns is kept. Both are 0 at the start of an episode, then as
-    last left, and part of the world's state.
+    The values of `memory` and `fields` when the method returns are kept, as part of the world's state. Both are 0 at
+    the start of an episode.
     """
 
-    world: int  # number of the world in its batch; 0 for a single one
+    world: int  # number of the world in its batch; 0 for a single world
     agent: int  # number of the infant
-    step: int  # steps since the reset, with this one; 0 in a reset
-    action: Optional[NDArray[np.float32]]  # the infant's own, within their bounds; None where the step was given none
+    step: int  # steps since the reset, including this one; 0 in a reset
+    action: Optional[NDArray[np.float32]]  # the infant's actions, within their bounds; None if the step was given none
 
     def __init__(self, task: "Bound", told: Any, views: Callable[[NDArray[np.uint8]], Observation]) -> None:
         action = _copy(told.action, told.action_count, np.float32) if told.action else None
@@ -67,9 +65,9 @@ class Moment(Strict):
 
     @property
     def observation(self) -> Optional[Observation]:
-        """What was sensed in this step, by field name; None where nobody asks for it, in a reset, and afterwards.
+        """The observation of this step, by field name; None in a step without senses, in a reset, and afterwards.
 
-        Fields of tasks are still those of the step before.
+        Fields of tasks still have the values of the previous step.
         """
         address, size = self._block
         return self._views(_copy(address, size, np.uint8)) if address else None
@@ -86,28 +84,30 @@ class Moment(Strict):
 class WorldTask:
     """Derive from it, and give an instance to Scene.set_task. Copies of the scene share it.
 
-    Its methods are asked about one infant of one world at a time; in a batch on the library's threads, one after the
-    other. What they raise fails the step or reset, whose error quotes it.
+    Its methods are called for one infant of one world at a time; in a batch on the library's threads, one after the
+    other. If they raise, the step or reset fails with a mimo.TaskError that quotes the exception.
     """
 
-    terms: Sequence[str] = ()  # what the reward is the sum of; none: it is one number
-    fields: Mapping[str, spaces.Box] = {}  # further fields of the observation, of float32, with one bound for all
-    units: Mapping[str, str] = {}  # of fields: {"goal": "m"}
-    frames: Mapping[str, str] = {}  # of fields: {"goal": "world"}
-    memory: int = 0  # how many numbers each world and infant keeps for the task
+    terms: Sequence[str] = ()  # names of the reward's terms; empty: the reward is one number
+    fields: Mapping[
+        str, spaces.Box
+    ] = {}  # additional fields of the observation: float32, with equal bounds for all elements
+    units: Mapping[str, str] = {}  # units of fields: {"goal": "m"}
+    frames: Mapping[str, str] = {}  # frames of fields: {"goal": "world"}
+    memory: int = 0  # how many numbers the task keeps per world and infant
 
     def reset(self, world: "World", moment: Moment) -> None:
-        """Prepares an episode, in a world that is at its start: move things, draw numbers from world.random.
+        """Prepares an episode: moves things, draws numbers from world.random.
 
-        The world takes everything but resets, steps and loading a state.
+        The world accepts all calls except resets, steps and loading a state.
         """
 
     def evaluate(self, world: "World", moment: Moment) -> Judgement:
-        """Judges a step. Positions of bodies are those of the start of its last physics step.
+        """Judges a step. Positions of bodies belong to the start of its last physics step.
 
-        What it writes, to place the next goal, say, counts from the next step on. Infants are asked in their order.
+        Its changes to the world, such as a new goal, count from the next step on. Infants are judged in their order.
 
-        Of success or failure say whether they end the episode (`terminated`); there is no `info`.
+        With success or failure, `terminated` says whether the episode ends; `info` is not supported.
         """
         raise missing(self, "evaluate(self, world, moment)")
 
@@ -116,7 +116,7 @@ class WorldTask:
 
 
 class Bound:
-    """A task as the library was told of it."""
+    """A task as the library knows it."""
 
     def __init__(self, task: WorldTask) -> None:
         if isinstance(task, type):
@@ -133,9 +133,8 @@ class Bound:
         _bounds[id(self)] = self
 
     def tell(self, scene: Any) -> None:
-        """Gives the scene the task."""
-        config = _abi.Task()
-        check(LIB.mimo_task_init(config, ctypes.sizeof(config)))
+        """Sets it as the scene's task."""
+        config = defaults(_abi.Task)
         config.user = id(self)
         config.memory_bytes = self.memory * ctypes.sizeof(ctypes.c_double)
         config.reset, config.evaluate = _reset, _evaluate
@@ -156,14 +155,14 @@ class Bound:
         return parts
 
     def reset(self, env: int, told: Any) -> None:
-        """Asks the task to begin an episode."""
+        """Lets the task begin an episode."""
         world = self.worlds[env]
         moment = Moment(self, told, world.layout.views)
         self.task.reset(world, moment)
         moment._end(self, told)
 
     def evaluate(self, env: int, told: Any, verdict: Any) -> None:
-        """Asks the task to judge a step, and hands on what it says."""
+        """Lets the task judge a step, and passes its judgement on."""
         world = self.worlds[env]
         moment = Moment(self, told, world.layout.views)
         judged = self.task.evaluate(world, moment)
@@ -193,8 +192,7 @@ class Bound:
         return True
 
     def _described(self, name: str) -> _abi.TaskField:
-        field, box = _abi.TaskField(), self.task.fields[name]
-        check(LIB.mimo_task_field_init(field, ctypes.sizeof(field)))
+        field, box = defaults(_abi.TaskField), self.task.fields[name]
         field.shape, field.ndim = ctypes.addressof(self._sizes[name]), len(box.shape)
         field.name, field.unit = utf8(name), utf8(self.task.units.get(name))
         field.frame = utf8(self.task.frames.get(name))
@@ -224,14 +222,14 @@ def _write(address: Optional[int], row: NDArray[Any], count: int, name: str) -> 
 
 
 def _status(work: Callable[[], None]) -> int:
-    """An exception must not leave through the library's frames; the call that ran the task raises it again."""
+    """Turns exceptions into statuses: they must not pass through the library's frames."""
     try:
         work()
         return 0
     except Error as error:
-        return _fail(error.status or FAILED, str(error))
+        return _fail(error.status or Status.TASK, str(error))
     except BaseException as error:
-        return _fail(FAILED, f"{type(error).__name__}: {error}")
+        return _fail(Status.TASK, f"{type(error).__name__}: {error}")
 
 
 def _fail(status: int, message: str) -> int:
@@ -239,11 +237,11 @@ def _fail(status: int, message: str) -> int:
     return result
 
 
-@_abi.TaskReset  # type: ignore[untyped-decorator]
+@_abi.TaskResetFn  # type: ignore[untyped-decorator]
 def _reset(user: int, env: int, told: Any) -> int:
     return _status(lambda: _bounds[user].reset(env, told.contents))
 
 
-@_abi.TaskEvaluate  # type: ignore[untyped-decorator]
+@_abi.TaskEvaluateFn  # type: ignore[untyped-decorator]
 def _evaluate(user: int, env: int, told: Any, verdict: Any) -> int:
     return _status(lambda: _bounds[user].evaluate(env, told.contents, verdict.contents))

@@ -1,4 +1,4 @@
-"""PettingZoo: several infants in one world, each an agent of its own. Needs the extra [pettingzoo]."""
+"""PettingZoo: several infants in one world, each an agent. Needs the extra [pettingzoo]."""
 
 from __future__ import annotations
 
@@ -25,15 +25,15 @@ try:
 except ImportError as error:
     raise ImportError("mimo.ParallelEnv needs PettingZoo: pip install 'mimo[pettingzoo]'") from error
 
-SOLE = "infant"  # PettingZoo's name of an infant without one
+SOLE = "infant"  # name of an infant that has none
 
 
 class ParallelEnv(_ParallelEnv[str, Any, Any]):
-    """All infants of a world act at the same time. Their observations are dicts without the infants' names in front.
+    """All infants of a world act at the same time. Names in their observations have no prefix.
 
-    An infant whose episode has ended leaves `agents`; the others go on, and its motors rest. `task` may be an object
-    derived from mimo.Task whose evaluate returns {name: Judgement}, or the name of a built-in task. `flatten`,
-    `render_mode` and what belongs to it are those of mimo.Env.
+    An infant whose episode has ended leaves `agents` and its motors rest; the others continue. `task` is an instance
+    of a class derived from mimo.Task whose evaluate returns {name: Judgement}, or the name of a built-in task.
+    `flatten`, `render_mode` and its options are those of mimo.Env.
     """
 
     metadata: Dict[str, Any] = {"name": "mimo", "render_modes": [*ARRAYS], "is_parallelizable": True}  # noqa: RUF012
@@ -59,7 +59,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
         self.possible_agents = [agent.name or SOLE for agent in self.world.agents]
         self.agents: List[str] = []
         self._judge = Judge(task, self.world, self.possible_agents) if isinstance(task, Task) else None
-        if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
+        if isinstance(task, GoalTask):  # only with goals: learners test for this attribute
             self.compute_reward = task.compute_reward
         own = self._judge.fields if self._judge else {}
         fields = self.world.layout.fields
@@ -83,7 +83,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     def reset(
         self, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Dict[str, Any], Dict[str, Dict[str, Any]]]:
-        """Starts an episode for all infants. Options have no meaning; PettingZoo's own checker gives one."""
+        """Starts an episode for all infants. Options are ignored; PettingZoo's checker passes one."""
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
         self._seeded = True
@@ -95,7 +95,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     def step(
         self, actions: Dict[str, Any]
     ) -> Tuple[Dict[str, Any], Dict[str, float], Dict[str, bool], Dict[str, bool], Dict[str, Dict[str, Any]]]:
-        """Goes one step on; actions of infants that are still in the game, by name."""
+        """Makes one step; actions by name, of the infants in `agents`."""
         block = self.world.layout.new_block()
         self.world.step_into(block, self._joined(actions))
         acted = self.agents
@@ -107,7 +107,7 @@ class ParallelEnv(_ParallelEnv[str, Any, Any]):
     def _judged(
         self, numbers: Dict[str, int]
     ) -> Tuple[Dict[str, float], Dict[str, bool], Dict[str, bool], Dict[str, Dict[str, Any]]]:
-        """Rewards, ends and infos of the infants that acted, by the world's task or by one's own."""
+        """Rewards, ends and infos of the infants that acted, by the world's task or a mimo.Task."""
         world = self.world
         truncated = {agent: bool(world.truncated[i]) for agent, i in numbers.items()}
         if self._judge is None or not numbers:

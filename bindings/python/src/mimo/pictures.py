@@ -1,4 +1,4 @@
-"""The pictures that environments draw of their worlds: Gymnasium's render modes."""
+"""Gymnasium's render modes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ARRAYS = ("rgb_array", "depth_array")
 
 
 def without_mode(kind: type) -> None:
-    """What render() does in an environment that was made without a mode: as Gymnasium's own, it says so."""
+    """Warns as Gymnasium's environments do when render() is called without a render mode."""
     gymnasium.logger.warn(
         f"render() draws nothing: this {kind.__name__} was made without render_mode; give it render_mode={ARRAYS[0]!r}"
     )

@@ -23,13 +23,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._files import new_file, require_writable
-from .access import Joints
 from .body_map import BodyMap
 from .display import has_display
 from .drawing import STOPS, STRONG, WEAK
 from .errors import Error, UnsupportedError
 from .layout import Observation
 from .recordings import Recording
+from .selections import Joints
 from .traces import Traces, traces
 from .world import World
 

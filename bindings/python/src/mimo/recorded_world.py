@@ -12,12 +12,11 @@ from typing import Any, Dict, List, Optional
 
 import numpy as np
 
-from .constants import Actuation, GrowthModel, Kind, Render, Sex
+from .constants import Kind
 from .scene import Scene, scenes
 from .world import World
 
 NUMBERS = ("age", "physiological-age", "percentile", "z-length", "z-weight", "z-head")
-ACTUATIONS = ("torque", "position", "muscle", "mujoco-muscle")  # in the order of their constants
 LARGEST = 4096  # numbers of an array in a configuration
 
 
@@ -92,7 +91,7 @@ def _of_options(given: Dict[str, List[str]], eyes: int) -> World:
     agent = {**_senses(options, eyes), **_growth(options)}
     agent.update(_body(scene, name, options))
     if "actuation" in options:
-        agent["actuation"] = Actuation(ACTUATIONS.index(options["actuation"]))
+        agent["actuation"] = options["actuation"].replace("-", "_")
     if options.get("reflexes", "none") != "none":
         agent["reflexes"] = options["reflexes"].split(",")
     if "face" in options:
@@ -117,10 +116,7 @@ def _senses(options: Dict[str, str], eyes: int) -> Dict[str, Any]:
 
 def _growth(options: Dict[str, str]) -> Dict[str, Any]:
     chosen: Dict[str, Any] = {name.replace("-", "_"): float(options[name]) for name in NUMBERS if name in options}
-    if "sex" in options:
-        chosen["sex"] = Sex[options["sex"].upper()]
-    if "growth" in options:
-        chosen["growth"] = GrowthModel[options["growth"].upper()]
+    chosen.update({name: options[name] for name in ("sex", "growth") if name in options})
     if "age" in chosen or "physiological_age" in chosen:
         usual = (("eyes", "perfect"), ("delays", "none"))
         chosen["maturity"] = ["body"] + [part for part, off in usual if options.get(part, "age") != off]
@@ -145,6 +141,5 @@ def _renderer(options: Dict[str, str]) -> Dict[str, Any]:
         if name in options:
             chosen[name.replace("-", "_")] = int(options[name])
     if "effects" in options:
-        words = [] if options["effects"] == "none" else options["effects"].split(",")
-        chosen["render"] = Render(sum(Render[word.upper()] for word in words))
+        chosen["render"] = [] if options["effects"] == "none" else options["effects"].split(",")
     return chosen

@@ -11,7 +11,7 @@ from typing_extensions import Unpack
 from . import _abi
 from ._handle import Handle
 from ._hdf5 import with_hdf5
-from ._library import LIB, check, utf8
+from ._library import LIB, check, defaults, utf8
 from .options import fill
 from .recorded_world import configuration_of, inner_world
 
@@ -45,8 +45,7 @@ class Recorder(Handle):
     """
 
     def __init__(self, world: Any, path: "Union[str, os.PathLike[str]]", **options: Unpack[RecorderOptions]) -> None:
-        inner, config = inner_world(world), _abi.RecorderConfig()
-        check(LIB.mimo_recorder_config_init(config, ctypes.sizeof(config)))
+        inner, config = inner_world(world), defaults(_abi.RecorderConfig)
         options.setdefault("configuration", configuration_of(inner))
         fill(config, options, RecorderOptions)
         handle = ctypes.c_void_p()

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from . import _abi
 from ._handle import Handle
 from ._hdf5 import with_hdf5
-from ._library import LIB, check, text, utf8
+from ._library import LIB, check, from_struct, text, utf8
 from .arguments import whole_number
 from .drawing import EYES
 from .recorded_world import inner_world, recorded_world
@@ -130,14 +130,7 @@ class Recording(Handle):
         """What was compared since the last seek."""
         report = _abi.ReplayReport()
         check(LIB.mimo_recording_report(self._handle, report))
-        return ReplayReport(
-            bool(report.identical),
-            int(report.next),
-            int(report.steps),
-            int(report.first_difference),
-            float(report.largest_difference),
-            text(report.differs_most_in),
-        )
+        return from_struct(ReplayReport, report)
 
     def _look(self, world: World) -> None:
         if self.bodies > 1:

@@ -5,13 +5,28 @@ from __future__ import annotations
 import copy
 import ctypes
 import os
-from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, Optional, Sequence, Tuple, Union
+from functools import wraps
+from typing import (
+    Any,
+    Callable,
+    Dict,
+    Iterator,
+    List,
+    Mapping,
+    MutableMapping,
+    Optional,
+    Sequence,
+    Tuple,
+    TypeVar,
+    Union,
+    cast,
+)
 
 from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
-from ._library import LIB, check, log_to_python, text, told_before, utf8
+from ._library import LIB, check, defaults, log_to_python, result, text, told_before, utf8
 from ._strict import Strict
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
@@ -37,34 +52,9 @@ from .own_task import Bound, WorldTask
 from .tasks import Task
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
+Edit = TypeVar("Edit", bound=Callable[..., Any])
 # The calls that change a scene, by which another is made of it. A file may name them: no others belong here.
-EDITS = (
-    "add_agent",
-    "add_agents",
-    "set_room",
-    "set_touch",
-    "read_joint",
-    "limit_sense",
-    "limit_motor",
-    "set_room_temperature",
-    "set_temperature",
-    "set_sources",
-    "direct_source",
-    "set_material",
-    "set_maturity",
-    "set_sensory_delay",
-    "add_object",
-    "add_camera",
-    "add_field",
-    "add_model",
-    "weld",
-    "lock",
-    "set_pose",
-    "set_task",
-    "_set_parameter",
-)
-
-
+EDITS: Dict[str, Callable[..., Any]] = {}
 FILES = (".xml", ".mjcf")
 
 
@@ -119,6 +109,21 @@ def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
     config.reflexes |= Reflex.FELT
 
 
+def _edit(method: Edit) -> Edit:
+    """A method that changes a scene: calls that succeed are remembered, files by their absolute paths."""
+
+    @wraps(method)
+    def remembered(self: "Scene", *arguments: Any, **options: Any) -> Any:
+        if options.get("file") is not None:
+            options["file"] = os.path.abspath(options["file"])
+        given = method(self, *arguments, **options)
+        self._steps.append((method.__name__, arguments, options))
+        return given
+
+    EDITS[method.__name__] = remembered
+    return cast(Edit, remembered)
+
+
 class Scene(Handle):
     """A description of what is to be simulated.
 
@@ -150,8 +155,7 @@ class Scene(Handle):
         self._agents = 0
         self._growths: List[Dict[str, Any]] = []  # of each infant, what was asked for
         self._task: Optional[Bound] = None
-        config = _abi.SceneConfig()
-        check(LIB.mimo_scene_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.SceneConfig)
         for key, value in self._start.items():
             setattr(config, key, utf8(value, key))
         fill(config, limits, DocumentOptions)
@@ -161,27 +165,24 @@ class Scene(Handle):
         check(LIB.mimo_scene_create(config, handle))
         self._own(handle.value, LIB.mimo_scene_destroy)
 
+    @_edit
     def add_agent(self, **options: Unpack[AgentOptions]) -> int:
         """Adds an infant and returns its number; what is not given is as the scene's task wants it."""
-        number = ctypes.c_size_t()
-        check(LIB.mimo_scene_add_agent(self._handle, self._agent_config(options), number))
+        number: int = result(ctypes.c_size_t, LIB.mimo_scene_add_agent, self._handle, self._agent_config(options))
         self._agents += 1
         self._growths.append(_growth_in(options))
-        self._remember("add_agent", **options)
-        return number.value
+        return number
 
+    @_edit
     def add_agents(self, **options: Unpack[AgentOptions]) -> int:
         """Adds all infants that the scene names, or one where it names none; returns how many these are."""
-        count = ctypes.c_size_t()
-        check(LIB.mimo_scene_add_agents(self._handle, self._agent_config(options), count))
-        self._agents += count.value
-        self._growths += [_growth_in(options)] * count.value
-        self._remember("add_agents", **options)
-        return count.value
+        count: int = result(ctypes.c_size_t, LIB.mimo_scene_add_agents, self._handle, self._agent_config(options))
+        self._agents += count
+        self._growths += [_growth_in(options)] * count
+        return count
 
     def _agent_config(self, options: AgentOptions) -> _abi.AgentConfig:
-        config = _abi.AgentConfig()
-        check(LIB.mimo_agent_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.AgentConfig)
         standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
         standard["hearing"] = sum(Hearing)
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
@@ -198,21 +199,22 @@ class Scene(Handle):
             raise ValueError(f"orientation: the scene has no place for infant number {self._agents + 1}; give position")
         return config
 
+    @_edit
     def set_room(self, name: str) -> None:
         """Gives a scene that has none a room: floor, sky, light; see mimo.rooms."""
         check(LIB.mimo_scene_set_room(self._handle, utf8(name)))
-        self._remember("set_room", name)
 
+    @_edit
     def set_touch(self, body: Optional[str], spacing: float, agent: int = 0) -> None:
         """Sets the distance (m) between the touch sensors of a part of the body; 0: no skin there; None: everywhere."""
         check(LIB.mimo_scene_set_touch(self._handle, number_of("agent", agent, 64), utf8(body), spacing))
-        self._remember("set_touch", body, spacing, agent)
 
+    @_edit
     def read_joint(self, joint: str, agent: int = 0) -> None:
         """Has proprioception read this hinge or slide of an agent; the first call takes away all others."""
         check(LIB.mimo_scene_read_joint(self._handle, number_of("agent", agent, 64), utf8(joint)))
-        self._remember("read_joint", joint, agent)
 
+    @_edit
     def limit_sense(
         self,
         path: str,
@@ -233,8 +235,8 @@ class Scene(Handle):
         given = {"gain": gain, "noise": noise, "delay": delay, "blur": blur, "signal_noise": signal_noise}
         limits = _limits(**given)
         check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 64), utf8(path), limits))
-        self._remember("limit_sense", path, **given, agent=agent)
 
+    @_edit
     def limit_motor(
         self,
         path: str = "",
@@ -253,23 +255,23 @@ class Scene(Handle):
         given = {"gain": gain, "noise": noise, "delay": delay, "signal_noise": signal_noise}
         limits = _limits(**given)
         check(LIB.mimo_scene_limit_motor(self._handle, number_of("agent", agent, 64), utf8(path), limits))
-        self._remember("limit_motor", path, **given, agent=agent)
 
+    @_edit
     def set_room_temperature(self, celsius: float) -> None:
         """How warm the room is, and all in it that has no temperature of its own; 24 degrees unless this is called."""
         check(LIB.mimo_scene_set_room_temperature(self._handle, celsius))
-        self._remember("set_room_temperature", celsius)
 
+    @_edit
     def set_temperature(self, body: str, celsius: float) -> None:
         """How warm a body of the model is, with all that hangs on it."""
         check(LIB.mimo_scene_set_temperature(self._handle, utf8(body), celsius))
-        self._remember("set_temperature", body, celsius)
 
+    @_edit
     def set_sources(self, count: int, seconds: float) -> None:
         """How many bodies can play at once (4 unless this is called), and how long a sound can wait at each (4 s)."""
         check(LIB.mimo_scene_set_sources(self._handle, number_of("count", count), seconds))
-        self._remember("set_sources", count, seconds)
 
+    @_edit
     def direct_source(self, body: str, place: Numbers, axis: Numbers, directivity: float) -> None:
         """From where a body plays and whereto, in its frame.
 
@@ -286,13 +288,13 @@ class Scene(Handle):
                 real_number("directivity", directivity),
             )
         )
-        self._remember("direct_source", body, place, axis, directivity)
 
+    @_edit
     def set_material(self, body: str, material: str) -> None:
         """What a body of the model is made of, one of mimo.materials(): "copper", "hardwood", ..."""
         check(LIB.mimo_scene_set_material(self._handle, utf8(body), utf8(material)))
-        self._remember("set_material", body, material)
 
+    @_edit
     def set_maturity(self, maturity: Optional[Maturity], agent: int = 0) -> None:
         """Gives an infant such eyes and nerves; None: as its age and the option `maturity` have them.
 
@@ -300,8 +302,8 @@ class Scene(Handle):
         """
         raw = maturity_from(maturity)
         check(LIB.mimo_scene_set_maturity(self._handle, number_of("agent", agent, 64), raw))
-        self._remember("set_maturity", maturity, agent)
 
+    @_edit
     def set_sensory_delay(self, body: Optional[str], seconds: float, agent: int = 0) -> None:
         """Sets how late (s) an agent feels a part of its body, by touch and by its joints; None: all of it.
 
@@ -309,31 +311,29 @@ class Scene(Handle):
         """
         number = number_of("agent", agent, 64)
         check(LIB.mimo_scene_set_sensory_delay(self._handle, number, utf8(body), real_number("seconds", seconds)))
-        self._remember("set_sensory_delay", body, seconds, agent)
 
+    @_edit
     def add_object(self, name: str, **options: Unpack[ObjectOptions]) -> None:
         """Adds a rigid object; by default a red ball of 4 cm radius and 0.1 kg."""
-        config = _abi.ObjectConfig()
-        check(LIB.mimo_object_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.ObjectConfig)
         config.name = utf8(name)
         fill(config, options, ObjectOptions)
         check(LIB.mimo_scene_add_object(self._handle, config))
-        self._remember("add_object", name, **options)
 
+    @_edit
     def add_camera(self, name: str, **options: Unpack[CameraOptions]) -> None:
         """Has a camera observed, as "vision/NAME", "vision/NAME_depth" and "vision/NAME_segmentation".
 
         Without `look_at` it is one of the scene or of an infant ("anna/eye_left"). With it, it is a new one at
         `position` that looks at that point and stands still in the world, or is carried by `body`.
         """
-        config = _abi.CameraConfig()
-        check(LIB.mimo_camera_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.CameraConfig)
         config.name = utf8(name)
         fill(config, options, CameraOptions)
         config.placed = "look_at" in options
         check(LIB.mimo_scene_add_camera(self._handle, config))
-        self._remember("add_camera", name, **options)
 
+    @_edit
     def add_field(
         self,
         name: str,
@@ -348,44 +348,40 @@ class Scene(Handle):
         Poses and velocities are those of the start of the last physics step, with `now` those of the step's end; in the
         frame of the world, or of the body `relative_to`, as seen from it while it moves.
         """
-        config = _abi.FieldConfig()
-        check(LIB.mimo_field_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.FieldConfig)
         config.name = utf8(name)
         fill(config, {"quantity": quantity, "relative_to": relative_to}, FieldOptions)
         config.quantity |= NOW if now else 0
         names = [utf8(element) for element in several("elements", elements)]
         config.elements, config.element_count = (ctypes.c_char_p * len(names))(*names), len(names)
         check(LIB.mimo_scene_add_field(self._handle, config))
-        self._remember("add_field", name, quantity, elements, now=now, relative_to=relative_to)
 
+    @_edit
     def add_model(self, name: str, **options: Unpack[ModelOptions]) -> None:
         """Adds an MJCF document with one body (file or xml) as an object; its names get "name/" before them."""
-        if options.get("file") is not None:
-            options["file"] = os.path.abspath(options["file"])
-        config = _abi.ModelConfig()
-        check(LIB.mimo_model_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.ModelConfig)
         config.name = utf8(name)
         fill(config, options, ModelOptions)
         check(LIB.mimo_scene_add_model(self._handle, config))
-        self._remember("add_model", name, **options)
 
+    @_edit
     def weld(self, body: str, other: Optional[str] = None, pose: Optional[Numbers] = None) -> None:
         """Fastens a body to another (None: the world): in a pose (x y z, w x y z) in its frame, or as they start."""
         numbers = None if pose is None else vector("pose", pose, 7)  # a position and a quaternion
         place = None if numbers is None else numbers.ctypes.data
         check(LIB.mimo_scene_weld(self._handle, utf8(body, "body"), utf8(other, "other"), place))
-        self._remember("weld", body, other, pose)
 
+    @_edit
     def lock(self, joint: str, value: float) -> None:
         """Holds a hinge or slide (rad or m), and starts it there."""
         check(LIB.mimo_scene_lock(self._handle, utf8(joint), real_number("value", value)))
-        self._remember("lock", joint, value)
 
+    @_edit
     def set_pose(self, joint: str, value: float) -> None:
         """Sets where a hinge or slide starts (rad or m)."""
         check(LIB.mimo_scene_set_pose(self._handle, utf8(joint), real_number("value", value)))
-        self._remember("set_pose", joint, value)
 
+    @_edit
     def set_task(self, task: Optional[WorldTask]) -> None:
         """Gives worlds made from now on a task of your own, which runs inside their steps; None takes it away."""
         bound = None if task is None else Bound(task)
@@ -394,7 +390,6 @@ class Scene(Handle):
         else:
             bound.tell(self._handle)
         self._task = bound
-        self._remember("set_task", task)
 
     @property
     def parameters(self) -> "Parameters":
@@ -404,9 +399,7 @@ class Scene(Handle):
     @property
     def xml(self) -> str:
         """The whole scene as one MJCF document, as MuJoCo will compile it."""
-        length = ctypes.c_size_t()
-        check(LIB.mimo_scene_xml(self._handle, None, 0, length))
-        buffer = ctypes.create_string_buffer(length.value + 1)
+        buffer = ctypes.create_string_buffer(result(ctypes.c_size_t, LIB.mimo_scene_xml, self._handle, None, 0) + 1)
         check(LIB.mimo_scene_xml(self._handle, buffer, len(buffer), None))
         return text(buffer.value)
 
@@ -435,19 +428,15 @@ class Scene(Handle):
         with told_before():
             return copy.deepcopy(self)
 
+    @_edit
     def _set_parameter(self, name: str, value: float) -> None:
         check(LIB.mimo_scene_set_parameter(self._handle, utf8(name), value))
-        self._remember("_set_parameter", name, value)
 
     def make_call(self, method: str, arguments: Sequence[Any], options: Mapping[str, Any]) -> None:
-        """Makes a call that was remembered of another scene."""
+        """Repeats a call that another scene remembers."""
         if method not in EDITS:
             raise ValueError(f"call is {method!r}, expected one of {', '.join(EDITS)}")
-        getattr(self, method)(*arguments, **options)
-
-    def _remember(self, method: str, *arguments: Any, **options: Any) -> None:
-        assert method in EDITS, method
-        self._steps.append((method, arguments, options))
+        EDITS[method](self, *arguments, **options)
 
     def __reduce__(self) -> Tuple[Any, ...]:
         return _rebuilt, (self._start, copy.deepcopy(self._steps))
@@ -458,8 +447,7 @@ def _growth_in(options: Mapping[str, Any]) -> Dict[str, Any]:
 
 
 def _limits(**values: float) -> _abi.Limits:
-    limits = _abi.Limits()
-    check(LIB.mimo_limits_init(limits, ctypes.sizeof(limits)))
+    limits = defaults(_abi.Limits)
     for name, value in values.items():
         setattr(limits, name, real_number(name, value))
     return limits
@@ -479,9 +467,7 @@ class Parameters(Strict, MutableMapping[str, float]):
         self._scene = scene
 
     def __getitem__(self, name: str) -> float:
-        value = ctypes.c_double()
-        check(LIB.mimo_scene_get_parameter(self._scene._handle, utf8(name), value))
-        return value.value
+        return float(result(ctypes.c_double, LIB.mimo_scene_get_parameter, self._scene._handle, utf8(name)))
 
     def __setitem__(self, name: str, value: float) -> None:
         self._scene._set_parameter(name, value)
@@ -493,9 +479,7 @@ class Parameters(Strict, MutableMapping[str, float]):
         return (text(described.name) for described in map(_described, range(len(self))))
 
     def __len__(self) -> int:
-        count = ctypes.c_size_t()
-        check(LIB.mimo_parameter_count(count))
-        return count.value
+        return int(result(ctypes.c_size_t, LIB.mimo_parameter_count))
 
     def describe(self, name: str) -> str:
         """One line about a parameter: what it is, its default and its range."""

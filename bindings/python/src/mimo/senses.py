@@ -13,7 +13,7 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
-from ._library import LIB, advice_for_host, check, log_to_python, mujoco_version
+from ._library import LIB, advice_for_host, check, defaults, log_to_python, mujoco_version
 from .arguments import known_keywords, number_of
 from .errors import UnsupportedError
 from .layout import Fields, Layout, Observation, Supply
@@ -51,8 +51,7 @@ class Senses(Handle):
         mujoco_version: Optional[int] = None,
         **options: Unpack[SensesOptions],
     ) -> None:
-        config = _abi.SensesConfig()
-        check(LIB.mimo_senses_config_init(config, ctypes.sizeof(config)))
+        config = defaults(_abi.SensesConfig)
         config.log = log_to_python
         fill(config, options, SensesOptions)
         version = _version_of(model) if mujoco_version is None else number_of("mujoco_version", mujoco_version, 31)

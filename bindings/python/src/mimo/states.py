@@ -6,7 +6,7 @@ import ctypes
 from typing import Any, NamedTuple, Tuple
 
 from . import _abi
-from ._library import check
+from ._library import check, result
 
 
 class LoadReport(NamedTuple):
@@ -23,16 +23,9 @@ def reported(load: Any, *arguments: Any) -> LoadReport:
     return LoadReport(_names(report.fresh_names), _names(report.ignored_names))
 
 
-def asked(size_of: Any, handle: Any) -> int:
-    """What a function that tells a size says."""
-    size = ctypes.c_size_t()
-    check(size_of(handle, size))
-    return size.value
-
-
 def saved(handle: Any, size_of: Any, save: Any) -> bytes:
     """What a function that saves writes."""
-    state = ctypes.create_string_buffer(asked(size_of, handle))
+    state = ctypes.create_string_buffer(result(ctypes.c_size_t, size_of, handle))
     check(save(handle, state, len(state)))
     return state.raw
 

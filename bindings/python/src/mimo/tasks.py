@@ -8,7 +8,8 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from .access import Access, Mask
+from .access import Access
+from .selection import Mask
 
 Flags = Union[bool, NDArray[np.bool_]]
 GOALS = ("achieved_goal", "desired_goal")  # Gymnasium's names

@@ -7,11 +7,11 @@ from typing import Any, Dict, List, NamedTuple, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from .access import Selection
 from .constants import Kind, Quantity
 from .drawing import EARS, limited, prefixes, touch_field
 from .frames import inverse, turned
 from .recordings import Recording
+from .selection import Selection
 from .world import World
 
 REFERENCE = 20e-6  # Pa

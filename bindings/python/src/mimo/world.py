@@ -12,18 +12,19 @@ from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Native
-from ._library import LIB, check, log_to_python, raise_error, text
+from ._library import LIB, check, defaults, from_struct, log_to_python, raise_error, result, text
 from ._strict import reading
-from .access import Mask
 from .ages import Age, growths, of_agents
 from .arguments import index_in, known_keywords, number_of, numbers_in, real_number, vector, whole_number
 from .constants import Kind, Look, Quantity
-from .contacts import Contacts, StepContacts, contacts_of, step_contacts_of
+from .contacts import contacts_of, step_contacts_of
 from .geometry import Geometry
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
 from .results import Followed, Numbers, Results, StepResult
 from .scene import Scene, prepare
+from .selection import Mask
+from .selections import Contacts, StepContacts
 from .sounds import play
 from .states import LoadReport, reported, saved
 
@@ -75,8 +76,7 @@ class Picture(NamedTuple):
 
 def env_config(options: Dict[str, Any], kind: Type[PhysicsOptions] = WorldOptions) -> _abi.EnvConfig:
     """The C struct of a world's options."""
-    config = _abi.EnvConfig()
-    check(LIB.mimo_env_config_init(config, ctypes.sizeof(config)))
+    config = defaults(_abi.EnvConfig)
     config.log = log_to_python
     fill(config, options, kind)
     return config
@@ -291,26 +291,22 @@ class World(Geometry):
     @property
     def task(self) -> str:
         """Name of the task."""
-        name = ctypes.c_char_p()
-        check(LIB.mimo_env_task(self._handle, name))
-        return text(name.value)
+        return text(result(ctypes.c_char_p, LIB.mimo_env_task, self._handle))
 
     @property
     def frame_skip(self) -> int:
         """Physics steps in a step."""
-        count = ctypes.c_uint32()
-        check(LIB.mimo_env_frame_skip(self._handle, count))
-        return count.value
+        return int(result(ctypes.c_uint32, LIB.mimo_env_frame_skip, self._handle))
 
     @property
     def time(self) -> float:
         """Simulated seconds since the reset."""
-        return self._number(LIB.mimo_env_time)
+        return float(result(ctypes.c_double, LIB.mimo_env_time, self._handle))
 
     @property
     def timestep(self) -> float:
         """Length of one physics step, s."""
-        return self._number(LIB.mimo_env_timestep)
+        return float(result(ctypes.c_double, LIB.mimo_env_timestep, self._handle))
 
     @property
     def timing(self) -> Dict[str, float]:
@@ -322,11 +318,6 @@ class World(Geometry):
     def reset_timing(self) -> None:
         """Starts counting anew."""
         check(LIB.mimo_env_timing_reset(self._handle))
-
-    def _number(self, function: Any) -> float:
-        value = ctypes.c_double()
-        check(function(self._handle, value))
-        return value.value
 
     def reward_terms(self, agent: int = 0) -> Dict[str, float]:
         """The terms of an infant's last reward, which is their sum, by name."""
@@ -384,20 +375,20 @@ class World(Geometry):
 
         Returns the angles by which the left and the right eye miss the point because of their range, rad.
         """
-        errors = np.empty(2)
+        errors = (ctypes.c_double * 2)()
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
-        check(LIB.mimo_env_look_at(self._handle, self._agent(agent), target.ctypes.data, turns, errors.ctypes.data))
-        return errors
+        check(LIB.mimo_env_look_at(self._handle, self._agent(agent), target.ctypes.data, turns, errors))
+        return np.array(errors)
 
     def look_angles(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> LookAngles:
         """Angles of the joints that make an infant look at a point (world, m), for locks and position control."""
         target, turns, count = vector("point", point, 3), whole_number("how", how, Look), ctypes.c_size_t()
         asked = (self._handle, self._agent(agent), target.ctypes.data, turns)
         check(LIB.mimo_env_look_angles(*asked, None, None, 0, count, None))
-        joints, angles, errors = np.empty(count.value, np.int32), np.empty(count.value), np.empty(2)
-        places = (joints.ctypes.data, angles.ctypes.data, len(joints), count, errors.ctypes.data)
+        joints, angles, errors = np.empty(count.value, np.int32), np.empty(count.value), (ctypes.c_double * 2)()
+        places = (joints.ctypes.data, angles.ctypes.data, len(joints), count, errors)
         check(LIB.mimo_env_look_angles(*asked, *places))
-        return LookAngles([self.name(Kind.JOINT, int(joint)) for joint in joints], angles, errors)
+        return LookAngles([self.name(Kind.JOINT, int(joint)) for joint in joints], angles, np.array(errors))
 
     # ---- What differs from world to world; it outlives resets --------------------------------------------------------
 
@@ -471,10 +462,10 @@ class World(Geometry):
     def project(self, points: ArrayLike, **picture: Unpack[PictureOptions]) -> Numbers:
         """Where points of the world (n x 3, m) lie in such a picture: pixels right, pixels down, depth in m (n x 3)."""
         places = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
-        pixels = np.empty_like(places)
+        pixels = (ctypes.c_double * places.size)()
         config = _picture_config(picture)
-        check(LIB.mimo_env_project(self._handle, config, places.ctypes.data, len(places), pixels.ctypes.data))
-        return pixels
+        check(LIB.mimo_env_project(self._handle, config, places.ctypes.data, len(places), pixels))
+        return np.array(pixels).reshape(-1, 3)
 
     # ---- State ---------------------------------------------------------------------------------------------------
 
@@ -514,8 +505,7 @@ def _rebuilt(scene: Scene, options: Dict[str, Any], state: bytes, growths: Seque
 
 
 def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
-    config = _abi.PictureConfig()
-    check(LIB.mimo_picture_config_init(config, ctypes.sizeof(config)))
+    config = defaults(_abi.PictureConfig)
     fill(config, picture, PictureOptions)
     return config
 
@@ -527,5 +517,5 @@ def agents_of(env: Native, count: int) -> List[Agent]:
     for index in range(count):
         check(LIB.mimo_env_agent(env, index, info))
         actions = slice(info.action_offset, info.action_offset + info.action_count)
-        agents.append(Agent(text(info.name), actions, info.mass, info.height))
+        agents.append(from_struct(Agent, info, actions=actions))
     return agents

@@ -11,8 +11,9 @@ from typing import Any, List, Mapping, NamedTuple, NoReturn, Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..access import Joints, Selection
 from ..constants import Kind
+from ..selection import Selection
+from ..selections import Joints
 from ..world import World
 
 Numbers = NDArray[np.float64]

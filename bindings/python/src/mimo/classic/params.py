@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple
 
 from ..arguments import number_of, real_number
-from ..constants import Frame, Proprioception, Touch, TouchResponse, Vestibular
+from ..constants import Proprioception, Touch, TouchFrame, TouchResponse, Vestibular
 
 Params = Optional[Mapping[str, Any]]
 
@@ -27,9 +27,9 @@ COMPONENTS: Mapping[str, Tuple[str, Proprioception]] = {
 }
 VESTIBULAR = {"vestibular_acc": "acceleration", "vestibular_gyro": "angular_velocity"}
 FUNCTIONS = {
-    "force_vector": (Touch.FORCE, Frame.BODY),
-    "force_vector_global": (Touch.FORCE, Frame.WORLD),
-    "normal_force": (Touch.NORMAL_FORCE, Frame.BODY),
+    "force_vector": (Touch.FORCE, TouchFrame.BODY),
+    "force_vector_global": (Touch.FORCE, TouchFrame.WORLD),
+    "normal_force": (Touch.NORMAL_FORCE, TouchFrame.BODY),
 }
 RESPONSES = {"spread_linear": TouchResponse.LINEAR, "nearest": TouchResponse.NEAREST}
 
