@@ -15,7 +15,7 @@ function mimo_quantities()
 %                                 stands on the world without joints.
 %     body_orientation            Body: 4, w x y z. Writable as 'body_position'.
 %     body_velocity               Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.
-%     body_force                  Body: 6, force, torque at its centre of mass, world; as 'joint_force'.
+%     body_force                  Body: 6, force and torque at its centre of mass, world. Writable as 'joint_force'.
 %     body_mass                   Body: 1, kg, > 0. Writable, W: its inertia grows along.
 %     body_center_of_mass         Body: 3, of the body alone, world, m.
 %     geom_position               Geom: 3, world, m.

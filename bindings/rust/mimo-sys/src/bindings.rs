@@ -514,7 +514,7 @@ pub const MIMO_BODY_ORIENTATION: i32 = 7;
 /// Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.
 pub const MIMO_BODY_VELOCITY: i32 = 8;
 
-/// Body: 6, force, torque at its centre of mass, world; as MIMO_JOINT_FORCE.
+/// Body: 6, force and torque at its centre of mass, world. Writable as MIMO_JOINT_FORCE.
 pub const MIMO_BODY_FORCE: i32 = 9;
 
 /// Body: 1, kg, > 0. Writable, W: its inertia grows along.
@@ -2656,8 +2656,8 @@ extern "C" {
     /// Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world
     /// of a batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to
     /// another age; values that are set, loaded states, known movements, bare physics, sounds, random numbers) is
-    /// found by comparing states, and a state is kept from which a replay goes on there. Kept fields are sensed also
-    /// where a step skips them. A step that fails is not recorded. A clone is not recorded.
+    /// counted, and where something was, a state is kept from which a replay goes on there. Kept fields are sensed
+    /// also where a step skips them. A step that fails is not recorded. A clone is not recorded.
     ///
     /// A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes
     /// to the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened. Nothing is

@@ -461,7 +461,7 @@ values! {
     BODY_ORIENTATION = MIMO_BODY_ORIENTATION,
     /// Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.
     BODY_VELOCITY = MIMO_BODY_VELOCITY,
-    /// Body: 6, force, torque at its centre of mass, world; as [`Quantity::JOINT_FORCE`].
+    /// Body: 6, force and torque at its centre of mass, world. Writable as [`Quantity::JOINT_FORCE`].
     BODY_FORCE = MIMO_BODY_FORCE,
     /// Body: 1, kg, \> 0. Writable, W: its inertia grows along.
     BODY_MASS = MIMO_BODY_MASS,
