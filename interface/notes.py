@@ -6,6 +6,7 @@ import json
 import re
 from pathlib import Path
 
+import facts
 import tomllib
 
 HERE = Path(__file__).resolve().parent
@@ -25,7 +26,7 @@ def add(data, now):
     """Adds the enumerations, and to everything else what is noted of it; `now` is the version of the interface."""
     notes = read()
     data["enums"] = group(data, notes)
-    annotate(data, notes, History(now))
+    Annotator(data, notes, History(now)).annotate()
 
 
 def group(data, notes):
@@ -82,17 +83,6 @@ def check_values(enum, constants):
         raise Undescribable(f"notes.toml: {enum['name']}: its flags are not single bits: {values}")
 
 
-def enum_of(kind, doc, enums, typedefs):
-    """The enumeration whose constants an integer takes: by its type, else by the first constant that its text names."""
-    if kind not in ("int32_t", "uint32_t"):
-        return next((one["name"] for one in enums if one["c_type"] == kind and kind in typedefs), None)
-    for name in re.findall(r"\bMIMO_[A-Z0-9_]+", doc):
-        for enum in enums:
-            if name in enum["constants"] or (name == enum["prefix"] and name != "MIMO_"):
-                return enum["name"]
-    return None
-
-
 class History:
     """In which version of the interface a name came, and how large a struct was then."""
 
@@ -111,67 +101,85 @@ class History:
         return self.came.get(name, self.now)
 
 
-def annotate(data, notes, history):
-    """Adds what the notes say (enumerations, units, ranges, owners, what is experimental), and since when."""
-    enums = data["enums"]
-    typedefs = {one["name"] for one in data["typedefs"]}
-    known = {one["name"] for one in enums}
-    young = notes["experimental"]
-    used = set()
+class Annotator:
+    """Adds to everything what the notes say of it, and remembers which notes fitted something."""
 
-    def status(name, header):
-        experimental = header in young["headers"] or any(re.fullmatch(pattern, name) for pattern in young["names"])
-        if name in young["stable"]:
-            used.add(name)
-            experimental = False
-        return {"since": history.since(name), "stability": "experimental" if experimental else "stable"}
+    def __init__(self, data, notes, history):
+        self.data, self.notes, self.history = data, notes, history
+        self.young = notes["experimental"]
+        self.typedefs = {one["name"] for one in data["typedefs"]}
+        self.used = set()
 
-    def enum_note(name, found):
-        if name not in notes["enums_of"]:
+    def annotate(self):
+        for constant in self.data["constants"]:
+            constant |= self.status(constant["name"], constant["header"])
+        for struct in self.data["structs"]:
+            self.struct(struct)
+        for function in self.data["functions"]:
+            function |= self.status(function["name"], function["header"])
+        for function in self.data["functions"] + self.data["callbacks"]:
+            self.parameters(function)
+        given = {*self.notes["enums_of"], *self.notes["members"], *self.notes["owners"]}
+        given |= {*self.young["stable"], *self.young["names"], *self.young["headers"]}
+        if unused := given - self.used:
+            raise Undescribable(f"notes.toml: nothing is called {', '.join(sorted(unused))}")
+
+    def status(self, name, header=""):
+        """Since when it is there, and whether it may still change."""
+        fitting = [pattern for pattern in self.young["names"] if re.fullmatch(pattern, name)]
+        if header in self.young["headers"]:
+            fitting.append(header)
+        self.used.update(fitting)
+        if name in self.young["stable"]:
+            self.used.add(name)
+            fitting = []
+        return {"since": self.history.since(name), "stability": "experimental" if fitting else "stable"}
+
+    def enum(self, name, found):
+        """An enumeration by its note, else the one that was found."""
+        if name not in self.notes["enums_of"]:
             return found
-        used.add(name)
-        chosen = notes["enums_of"][name] or None
-        if chosen is not None and chosen not in known:
-            raise Undescribable(f"notes.toml: enums_of.{name}: there is no enumeration {chosen}")
-        return chosen
+        self.used.add(name)
+        return self.notes["enums_of"][name] or None
 
-    functions = {one["name"] for one in data["functions"]}
-    for constant in data["constants"]:
-        constant |= status(constant["name"], constant["header"])
-    for struct in data["structs"]:
-        name = struct["name"]
-        init = f"{name}_init" if f"{name}_init" in functions else None
-        struct |= {"first_size": history.first_sizes.get(name, struct["size"]), "init": init}
-        struct |= status(name, struct["header"])
+    def struct(self, struct):
+        name, functions = struct["name"], {one["name"] for one in self.data["functions"]}
+        struct["first_size"] = self.history.first_sizes.get(name, struct["size"])
+        struct["init"] = f"{name}_init" if f"{name}_init" in functions else None
+        struct |= self.status(name, struct["header"])
         for member in struct["members"]:
-            path = f"{name}.{member['name']}"
-            found = None if member["name"] == "struct_size" else enum_of(member["type"], member["doc"], enums, typedefs)
-            member["enum"] = enum_note(path, found)
-            member |= check_note(notes["members"].get(path, {}), member, path)
-            used.add(path)
-            told = status(path, "")
-            if told["since"] != struct["since"]:
-                member["since"] = told["since"]
-            if told["stability"] == "experimental" and struct["stability"] == "stable":
-                member["stability"] = "experimental"
-    for function in data["functions"] + data["callbacks"]:
+            self.member(struct, member)
+
+    def member(self, struct, member):
+        path = f"{struct['name']}.{member['name']}"
+        found = None if member["name"] == "struct_size" else self.enum_of(member)
+        member["enum"] = self.enum(path, found)
+        told = {"unit": facts.unit_of(member), "range": facts.range_of(member)}
+        if "*" in member["type"] and struct["name"] in self.notes["owners"]:
+            self.used.add(struct["name"])
+            told["owner"] = self.notes["owners"][struct["name"]]
+        told |= self.notes["members"].get(path, {})
+        self.used.add(path)
+        status = self.status(path)
+        if status["since"] != struct["since"]:
+            told["since"] = status["since"]
+        if status["stability"] != struct["stability"] == "stable":
+            told["stability"] = status["stability"]
+        member |= {key: value for key, value in told.items() if value not in (None, "", [])}
+
+    def parameters(self, function):
         for parameter in function["parameters"]:
-            path = f"{function['name']}.{parameter['name']}"
-            found = enum_note(parameter["name"], enum_of(parameter["type"], parameter["doc"], enums, typedefs))
-            integer = parameter["type"] in ("int32_t", "uint32_t") or parameter["type"] in typedefs
-            parameter["enum"] = enum_note(path, found if integer else None)
-        if function in data["functions"]:
-            function |= status(function["name"], function["header"])
-    given = set(notes["enums_of"]) | set(notes["members"]) | set(young["stable"])
-    if unused := given - used:
-        raise Undescribable(f"notes.toml: there is no {', '.join(sorted(unused))}")
+            integer = parameter["type"] in ("int32_t", "uint32_t") or parameter["type"] in self.typedefs
+            found = self.enum(parameter["name"], self.enum_of(parameter)) if integer else None
+            parameter["enum"] = self.enum(f"{function['name']}.{parameter['name']}", found)
 
-
-def check_note(note, member, path):
-    """A member's note. Numbers and units that the header's comment does not have are refused: it is the one source."""
-    text = " ".join(member["doc"].split())
-    if "range" in note:
-        low, high = ("infinity" if abs(number) == float("inf") else f"{number:g}" for number in note["range"])
-        if low not in text or high not in text:
-            raise Undescribable(f"notes.toml: {path}: its comment does not have the range {low} to {high}")
-    return note
+    def enum_of(self, integer):
+        """The enumeration of an integer: by its type, else by the first of its constants that the comment names."""
+        kind, enums = integer["type"], self.data["enums"]
+        if kind not in ("int32_t", "uint32_t"):
+            return next((one["name"] for one in enums if one["c_type"] == kind and kind in self.typedefs), None)
+        for name in re.findall(r"\bMIMO_[A-Z0-9_]+", integer["doc"]):
+            for enum in enums:
+                if name in enum["constants"] or (name == enum["prefix"] and name != "MIMO_"):
+                    return enum["name"]
+        return None

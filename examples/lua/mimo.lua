@@ -125,5 +125,5 @@ return function(interface, path)
     end
     return struct
   end
-  return mimo
+  return mimo, api
 end
