@@ -1,4 +1,4 @@
-"""The script ./dev of the repository REPOSITORY, with stand-ins for the programs that it calls: dev_test.py REPOSITORY"""
+"""dev_test.py REPOSITORY: ./dev of a repository, with stand-ins for the programs that it calls."""
 
 import os
 import shutil
@@ -10,7 +10,7 @@ from pathlib import Path
 
 REPOSITORY = Path(sys.argv.pop(1))
 PARTS = ["--quick", "--python", "--rust", "--csharp", "--octave", "--same", "--package", "--asan"]
-INSTALLED = 'printf installed'
+INSTALLED = 'printf "%s installed\\n" "${@:4}"'
 
 
 class Dev(unittest.TestCase):
@@ -18,12 +18,8 @@ class Dev(unittest.TestCase):
         self.temporary = tempfile.TemporaryDirectory()
         self.addCleanup(self.temporary.cleanup)
         self.clone = Path(self.temporary.name) / "a folder" / "libmimo"
-        (self.clone / "bindings").mkdir(parents=True)
+        shutil.copytree(REPOSITORY / "tools", self.clone / "tools")
         shutil.copy(REPOSITORY / "dev", self.clone)
-        (self.clone / "cmake").mkdir()
-        shutil.copy(REPOSITORY / "bindings/check.sh", self.clone / "bindings")
-        for part in ("cross.sh", "release.sh"):
-            shutil.copy(REPOSITORY / "cmake" / part, self.clone / "cmake")
         self.stub("dpkg-query", INSTALLED)
 
     def stub(self, program, script):
@@ -39,37 +35,57 @@ class Dev(unittest.TestCase):
 
     def dev(self, *arguments):
         path = f"{self.temporary.name}/bin:{os.environ['PATH']}"
-        return subprocess.run([self.clone / "dev", *arguments], capture_output=True, text=True, env={**os.environ, "PATH": path})
+        return subprocess.run(
+            [self.clone / "dev", *arguments], capture_output=True, text=True, env={**os.environ, "PATH": path}
+        )
 
     def test_a_part_that_fails_does_not_end_the_tests(self):
         self.stub("cmake", "exit 1")
         done = self.dev("test")
         self.assertEqual(done.returncode, 1)
-        self.assertEqual(done.stderr.strip().splitlines()[-1], "dev: tests failed; again with: ./dev test " + " ".join(PARTS))
+        self.assertEqual(done.stdout.splitlines()[0], "Tests to run: " + " ".join(PARTS))
+        self.assertEqual(
+            [line.split()[:2] for line in done.stdout.splitlines()[-len(PARTS) :]],
+            [[part[2:], "FAILED"] for part in PARTS],
+        )
+        self.assertEqual(
+            done.stderr.strip().splitlines()[-1], "dev: tests failed; again with: ./dev test " + " ".join(PARTS)
+        )
 
     def test_only_what_failed_is_named(self):
-        self.stub("cmake", '[[ $* != *asan* ]]')
-        self.stub("ctest", "exit 0")
+        self.stub("cmake", "[[ $* != *asan* ]]")
         done = self.dev("test", "--quick", "--asan")
         self.assertEqual(done.returncode, 1)
+        self.assertEqual(
+            [line.split()[:2] for line in done.stdout.splitlines()[-2:]], [["quick", "passed"], ["asan", "FAILED"]]
+        )
         self.assertEqual(done.stderr.strip().splitlines()[-1], "dev: tests failed; again with: ./dev test --asan")
         self.assertEqual(self.dev("test", "--quick", "--quick").returncode, 0)
 
     def test_parts_by_themselves(self):
         self.stub("cmake", "exit 0")
-        self.stub("ctest", "exit 0")
-        for part, preset in (("--quick", "release"), ("--tsan", "tsan"), ("--asan-rooms", "asan-rooms")):
+        for folder in ("build", "build-asan"):
+            program = self.clone / folder / "bin/capi_same"
+            program.parent.mkdir(parents=True)
+            program.write_text("#!/bin/bash\necho the same\n")
+            program.chmod(0o755)
+        for part, preset in (
+            ("--quick", "release"),
+            ("--tsan", "tsan"),
+            ("--asan", "asan"),
+            ("--asan-rooms", "asan-rooms"),
+        ):
             self.assertEqual(self.dev("test", part).returncode, 0)
-            self.assertIn(f"--preset {preset} ", self.calls("ctest")[-1])
-        self.dev("test", "--asan")
-        self.assertIn("--preset asan ", self.calls("ctest")[-1])
+            self.assertIn(f"--workflow --preset {preset}", self.calls("cmake"))
 
     def test_other_systems_have_presets_and_what_stands_in_for_them(self):
         (self.clone / "build/cross/mujoco/windows").mkdir(parents=True)
         (self.clone / "build/cross/complete").touch()
         self.stub("cmake", "exit 0")
         self.assertEqual(self.dev("build", "--windows").returncode, 0)
-        self.assertEqual(self.calls("cmake"), ["--preset windows", "--build --preset windows --target mimo mimo_program"])
+        self.assertEqual(
+            self.calls("cmake"), ["--preset windows", "--build --preset windows --target mimo mimo_program"]
+        )
 
     def test_an_unknown_platform_is_named(self):
         done = self.dev("wheel", "--platform", "amiga")
@@ -77,13 +93,13 @@ class Dev(unittest.TestCase):
         self.assertIn("no platform 'amiga'; there are: linux arm windows macos macos-x86 all", done.stderr)
 
     def test_another_mujoco_than_expected_is_refused(self):
-        (self.clone / "build/cross/python/bin").mkdir(parents=True)
+        (self.clone / "build/cross").mkdir(parents=True)
         (self.clone / "build/cross/complete").touch()
-        made = self.clone / "build/cross/python/bin/pip"
-        made.write_text('#!/bin/bash\nmkdir -p build/cross/wheel/mujoco; touch build/cross/wheel/mujoco/mujoco.dll\n')
-        (made.parent / "python").write_text("#!/bin/bash\n")
-        for program in (made, made.parent / "python"):
-            program.chmod(0o755)
+        made = self.clone / "build/tools/bin/pip"
+        made.parent.mkdir(parents=True)
+        shutil.copy(self.clone / "tools/pins/tools.txt", made.parents[1] / "pins.txt")
+        made.write_text("#!/bin/bash\nmkdir -p build/cross/wheel/mujoco; touch build/cross/wheel/mujoco/mujoco.dll\n")
+        made.chmod(0o755)
         self.stub("cmake", "exit 0")
         done = self.dev("build", "--windows")
         self.assertEqual(done.returncode, 1)
@@ -91,8 +107,8 @@ class Dev(unittest.TestCase):
 
     def test_an_unknown_part_is_named(self):
         done = self.dev("test", "--quick", "--slow")
-        self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("'--slow'", done.stderr)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("test does not take '--slow'", done.stderr)
 
     def test_another_mujoco_is_used_until_the_next_build(self):
         self.stub("cmake", "exit 0")
@@ -113,8 +129,27 @@ class Dev(unittest.TestCase):
 
     def test_an_unknown_mujoco_is_named(self):
         done = self.dev("build", "--mujoco", "3")
-        self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn("'--mujoco 3'", done.stderr)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--mujoco: invalid choice: '3'", done.stderr)
+
+    def test_every_command_and_part_is_explained(self):
+        said = self.dev("help").stdout
+        for command in ("build", "demo", "test", "zoo", "bench", "ratios", "package", "wheel", "train", "lint", "format", "pins",
+                        "docs", "freeze", "clean"):  # fmt: skip
+            self.assertRegex(said, rf"\n +{command} +\w")
+            self.assertEqual(self.dev(command, "--help").returncode, 0)
+        for part in PARTS:
+            self.assertRegex(self.dev("test", "--help").stdout, rf"\n +{part} +\w")
+
+    def test_arguments_are_handed_on(self):
+        self.stub("cmake", "exit 0")
+        program = self.clone / "build/bin/mimo"
+        program.parent.mkdir(parents=True)
+        program.write_text('#!/bin/bash\necho "$@"\n')
+        program.chmod(0o755)
+        self.assertIn(
+            "run --out demo --seconds 0.05 --seed 3\n", self.dev("demo", "--seconds", "0.05", "--seed", "3").stdout
+        )
 
     @unittest.skipIf(os.geteuid() != 0, "only root installs packages")
     def test_another_apt_is_waited_for(self):
@@ -122,8 +157,11 @@ class Dev(unittest.TestCase):
         self.stub("cmake", "exit 0")
         busy = Path(self.temporary.name) / "busy"
         busy.touch()
-        self.stub("apt-get", f'[[ $1 == update && -e "{busy}" ]] || exit 0\nrm "{busy}"\n'
-                  "echo 'E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1 (apt-get)' >&2\nexit 100")
+        self.stub(
+            "apt-get",
+            f'[[ $1 == update && -e "{busy}" ]] || exit 0\nrm "{busy}"\n'
+            "echo 'E: Could not get lock /var/lib/apt/lists/lock. It is held by process 1 (apt-get)' >&2\nexit 100",
+        )
         done = self.dev("build")
         self.assertEqual(done.returncode, 0, done.stderr)
         update, again, install = self.calls("apt-get")

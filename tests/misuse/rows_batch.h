@@ -51,8 +51,9 @@ ROW(mimo_batch_get_float, ON_BATCH,
     QUANTITIES, IDS, WORLDS, NO_NULL(depth, "values"), VALUES(values_count))
 ROW(mimo_batch_set, ON_BATCH | SIMULATES,
     mimo_batch_set(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_to_write, a->values_count),
-    QUANTITIES, IDS, WORLDS, NO_NULL(all_to_write, "values"), GIVEN_VALUES(values_count), DO(nan_value, E_ARG, "values[0]"),
-    DO(infinite_value, E_ARG, "values[0]"), BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
+    QUANTITIES, IDS, WORLDS, NO_NULL(all_to_write, "values"), GIVEN_VALUES(values_count),
+    DO(nan_value, E_ARG, "values[0]"), DO(infinite_value, E_ARG, "values[0]"),
+    BAD_I32(quantity, MIMO_JOINT_RANGE, "quantity"))
 ROW(mimo_batch_state_size, ON_BATCH, mimo_batch_state_size(a->batch, a->count), NO_NULL(count, "bytes"))
 ROW(mimo_batch_state_save, ON_BATCH | SIMULATES,
     mimo_batch_state_save(a->batch, a->mask, a->worlds, a->states_out, a->states_bytes), WORLDS,

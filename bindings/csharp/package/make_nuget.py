@@ -8,8 +8,8 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "cmake"))
-from pack import write_zip  # noqa: E402
+sys.path.insert(0, str(ROOT))
+from tools.pack import write_zip  # noqa: E402
 ASKED_FOR = {"libmimo.so.1": "libmimo.so"}  # by DllImport("mimo")
 
 NUSPEC = """<?xml version="1.0" encoding="utf-8"?>

@@ -15,8 +15,8 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "cmake"))
-from pack import below, write_tar  # noqa: E402
+sys.path.insert(0, str(ROOT))
+from tools.pack import below, write_tar  # noqa: E402
 
 NAME = "org.libmimo.mimo"
 

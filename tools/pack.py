@@ -1,14 +1,11 @@
-"""Packs files so that the same files give the same bytes: sorted, with one time and no owner.
+"""Packs files so that the same files give the same bytes: with one time and no owner.
 
-pack.py OUT.tar.gz|OUT.zip FOLDER NAME [--files]: all files below FOLDER, or with --files the ones that standard input
-names, a line each. In the package they lie below NAME. The time is that of SOURCE_DATE_EPOCH, as reproducible-builds.org
-defines it.
+The time is that of SOURCE_DATE_EPOCH, as reproducible-builds.org defines it.
 """
 
 import gzip
 import io
 import os
-import sys
 import tarfile
 import time
 import zipfile
@@ -23,7 +20,7 @@ def moment():
 
 
 def write_zip(out, files):
-    """Writes FILES, names and bytes or paths, in their order; of paths that can be run this is kept."""
+    """Writes names and bytes or paths, in their order; a path that can be run stays so."""
     date = time.gmtime(moment())[:6]
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as package:
         for name, content in files.items():
@@ -36,7 +33,7 @@ def write_zip(out, files):
 
 
 def without_origin(entry):
-    """What a file in a tar archive says besides its name and content."""
+    """Reduces what a file in a tar archive says besides its name and content."""
     entry.uid = entry.gid = 0
     entry.uname = entry.gname = ""
     entry.mtime = moment()
@@ -45,7 +42,7 @@ def without_origin(entry):
 
 
 def write_tar(out, files):
-    """Writes FILES, names and paths, in their order; links stay links."""
+    """Writes names and paths, in their order; links stay links."""
     archive = io.BytesIO()
     with tarfile.open(fileobj=archive, mode="w", format=tarfile.PAX_FORMAT) as package:
         for name, path in files.items():
@@ -58,15 +55,3 @@ def below(folder, prefix):
     """Names and paths of the files below a folder."""
     paths = sorted(path for path in Path(folder).rglob("*") if path.is_symlink() or path.is_file())
     return {f"{prefix}/{path.relative_to(folder).as_posix()}": path for path in paths}
-
-
-def main(out, folder, prefix, *options):
-    """Writes one package."""
-    files = below(folder, prefix)
-    if "--files" in options:
-        files = {f"{prefix}/{line}": Path(folder) / line for line in sorted(sys.stdin.read().splitlines())}
-    (write_zip if out.endswith(".zip") else write_tar)(out, files)
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])

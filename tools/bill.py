@@ -1,17 +1,10 @@
-"""What is inside the packages: bill.py VERSION FOLDER SOURCES OUT.spdx.json, or bill.py --licence
-
-Writes an SPDX 2.3 document for the packages that lie in FOLDER: each with its hash and what of other projects it holds.
-SOURCES lists the sources that were compiled, a folder's name each (pugixml-1.13); versions of headers are those of the
-Debian packages that are installed. --licence prints the licence of a package that holds all of it.
-"""
+"""What packages hold of other projects, as an SPDX 2.3 document. bill.py prints the licence of what holds all."""
 
 import datetime
 import hashlib
 import json
 import os
 import subprocess
-import sys
-from pathlib import Path
 
 OURS = "MIT"
 
@@ -50,7 +43,9 @@ def licence(components):
 def inside(name):
     """What a package of that file name holds of others."""
     if name.endswith(".deb"):
-        return COMPILED if name.startswith("libmimo1_") else [*COMPILED, *IN_PROGRAM] if name.startswith("mimo_") else []
+        return (
+            COMPILED if name.startswith("libmimo1_") else [*COMPILED, *IN_PROGRAM] if name.startswith("mimo_") else []
+        )
     if name.startswith("mimo_mujoco4-"):
         return [*COMPILED, RUNTIMES[0]]
     systems = ("-x64", "-arm64", ".whl", ".nupkg", ".tgz")
@@ -113,21 +108,24 @@ def document(version, folder, sources):
         "SPDXID": "SPDXRef-DOCUMENT",
         "name": f"libmimo-{version}",
         "documentNamespace": f"urn:libmimo:{version}",
-        "creationInfo": {"created": date.strftime("%Y-%m-%dT%H:%M:%SZ"), "creators": ["Organization: libmimo contributors"]},
+        "creationInfo": {
+            "created": date.strftime("%Y-%m-%dT%H:%M:%SZ"),
+            "creators": ["Organization: libmimo contributors"],
+        },
         "packages": packages,
         "relationships": [dict(zip(names, relation)) for relation in relations],
     }
 
 
-def main(*arguments):
-    """Prints the licence or writes the document."""
-    if arguments == ("--licence",):
-        print(licence([one for one in EVERYTHING if one != RUNTIMES[1]]))
-        return
-    version, folder, sources, out = arguments
-    listed = Path(sources).read_text().split() if Path(sources).is_file() else []
-    Path(out).write_text(json.dumps(document(version, Path(folder), listed), indent=1) + "\n")
+def write(version, folder, sources, out):
+    """Writes the document for the packages in a folder.
+
+    SOURCES lists the sources that were compiled, a folder's name each (pugixml-1.13); headers have the versions of the
+    installed Debian packages.
+    """
+    listed = sources.read_text().split() if sources.is_file() else []
+    out.write_text(json.dumps(document(version, folder, listed), indent=1) + "\n")
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    print(licence([one for one in EVERYTHING if one != RUNTIMES[1]]))

@@ -1,0 +1,96 @@
+"""Sessions of nox that test the Python package; ./dev test makes the wheel that they install, and runs them."""
+
+import shutil
+from pathlib import Path
+
+import nox
+
+ROOT = Path(__file__).parent
+PYTEST = ("python", "-m", "pytest", "-q", "-p", "no:cacheprovider", "-rs")
+DEBIAN = Path("/usr/lib/python3/dist-packages")
+
+
+def install(session: nox.Session, *lists: str) -> None:
+    """Installs the packages of tools/pins/LIST.txt, each with its hash, and the wheel."""
+    for one in lists:
+        files = ("--only-binary=:all:", "-r", f"tools/pins/{one}.txt")
+        session.install("-q", "--require-hashes", *(("--no-deps",) if one == "train-alone" else ()), *files)
+    (wheel,) = (ROOT / "build/python-wheel").glob("mimo-*.whl")
+    session.install("-q", "--no-deps", str(wheel))
+
+
+def install_learner(session: nox.Session, extra: str, *lists: str) -> None:
+    """The same with torch: Debian's where there is one, with the releases that go with it, otherwise PyPI's."""
+    if shutil.which("apt-get"):
+        install(session, *lists)
+        (packages,) = Path(session.virtualenv.location).glob("lib/python3.*/site-packages")
+        (packages / "torch").symlink_to(DEBIAN / "torch")
+    else:
+        (wheel,) = (ROOT / "build/python-wheel").glob("mimo-*.whl")
+        session.install("-q", f"{wheel}[{extra}]", "torch", "pytest>=7")
+
+
+def check(session: nox.Session, *names: str, guides: str = "") -> None:
+    """Runs files of tests/python, and the programs of the pages that belong to these."""
+    files = [f"tests/python/test_{name}.py" for name in names]
+    session.run(*PYTEST, *files, *(("tests/python/test_guides.py", "--guides", guides) if guides else ()))
+
+
+@nox.session
+def package(session: nox.Session) -> None:
+    """All tests that need no learner."""
+    install(session, "test")
+    session.run(*PYTEST, "tests/python", "--ignore", "tests/python/test_sb3.py")
+
+
+@nox.session(python=["3.9", "3.10", "3.11", "3.12", "3.13"])
+def versions(session: nox.Session) -> None:
+    """The same on each version of Python that is there."""
+    package(session)
+
+
+@nox.session
+def shown(session: nox.Session) -> None:
+    """Programs of the pages that show infants, and what they show."""
+    install(session, "view")
+    check(session, "shown", guides="shown")
+
+
+@nox.session
+def learning(session: nox.Session) -> None:
+    """Stable-Baselines3, and the same algorithms compiled by JAX (sbx)."""
+    install_learner(session, "train", "train", "train-alone")
+    check(session, "sb3", guides="learning")
+
+
+@nox.session
+def train(session: nox.Session) -> None:
+    """A short training; arguments are those of examples/python/train.py."""
+    install_learner(session, "train", "train", "train-alone")
+    usual = ("--task", "reach", "--algorithm", "ppo", "--steps", "20000")
+    session.run("python", "examples/python/train.py", *(session.posargs or usual))
+
+
+@nox.session
+def view(session: nox.Session) -> None:
+    """The viewer, in a headless browser, Rerun, and USD."""
+    install(session, "view")
+    check(session, "view", "view_door", "video", "recordings", "plot", "rerun", "usd", "shown")
+
+
+@nox.session
+def ray(session: nox.Session) -> None:
+    """Worlds and learning on clusters of local nodes, of which one is killed."""
+    install_learner(session, "ray", "ray")
+    check(session, "ray", guides="ray")
+
+
+@nox.session
+def mujoco(session: nox.Session) -> None:
+    """Programs of the pages beside the package mujoco, with the library that was built on MuJoCo 4."""
+    for one in ("test", "mujoco"):
+        session.install("-q", "--require-hashes", "--only-binary=:all:", "-r", f"tools/pins/{one}.txt")
+    library = ROOT / "build-mujoco4/lib/libmimo.so"
+    sources = ROOT / "bindings/python/src"
+    session.env.update(MIMO_LIBRARY=str(library), PYTHONPATH=str(sources))
+    check(session, guides="mujoco")

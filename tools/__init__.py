@@ -1,0 +1,1 @@
+"""The program behind ./dev: builds, tests, packages and checks this repository."""

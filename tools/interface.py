@@ -1,0 +1,32 @@
+"""What is made of the public headers, and what is kept of them before a release."""
+
+import shutil
+
+from .build import build
+from .need import need
+from .shell import BUILD, PYTHON, ROOT, copy, run, version
+
+MADE = ROOT / "interface"
+
+
+def interface(*arguments):
+    """Renews what is made of the public headers, all of whose declarations have to be documented."""
+    need("docs")
+    run(PYTHON, MADE / "generate.py", *arguments)
+
+
+def freeze():
+    """Keeps the interface as it is now as that of its version; docs/abi.md."""
+    need("build", "abigail-tools")
+    name = version("API")
+    folder, states, kept = ROOT / "tests/abi/frozen" / name, ROOT / "tests/states" / name, MADE / f"frozen/{name}.json"
+    copy(ROOT.glob("include/mimo/*.h"), folder / "mimo")
+    copy([ROOT / "tests/abi/caller.c"], folder)
+    states.mkdir(parents=True, exist_ok=True)
+    kept.unlink(missing_ok=True)  # a candidate's: its sizes are no first ones
+    interface()
+    shutil.copy(MADE / "interface.json", kept)
+    run("tests/abi/check_abi", "cc", "include/mimo/mimo.h", "tests/abi/baseline.abi", "--write")
+    build("release", "kept_states")
+    run(BUILD / "bin/kept_states", "write", states)
+    print(f"Frozen as {name}; git diff tests/abi tests/states shows what is promised from now on")

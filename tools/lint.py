@@ -1,0 +1,81 @@
+"""Checks of sources and documents: the hooks of .pre-commit-config.yaml, and those that need all files at once."""
+
+import shutil
+from concurrent.futures import ThreadPoolExecutor
+
+from .interface import interface
+from .need import need
+from .pins import environment
+from .shell import BUILD, CORES, ROOT, Failure, changed_sources, copy, fail, run, run_quietly, sources, start, try_run
+
+TIDY = ("src/*.cpp", "tests/unit/*.cpp", "tests/golden/*.cpp", "tests/capi/*.c")
+FORMATTED = ("*.c", "*.cpp", "*.h", "*.hpp", ":!tests/abi/frozen")  # headers of old versions stay as they were
+PAGES = BUILD / "docs/html"
+
+
+def check_hooks(files):
+    run(
+        environment("lint", "lint") / "pre-commit",
+        "run",
+        "--files",
+        *files,
+        env={"PRE_COMMIT_HOME": BUILD / "pre-commit"},
+    )
+
+
+def check_tidy(files):
+    with ThreadPoolExecutor(CORES) as pool:
+        done = list(pool.map(lambda file: try_run("clang-tidy", "-p", "build", "--quiet", file), files))
+    found = [said for status, said in done if status != 0 or "warning: " in said]
+    if found:
+        fail("\n".join(found))
+
+
+def make_pages():
+    """Makes the pages, with the files that articles refer to."""
+    shutil.rmtree(PAGES, ignore_errors=True)
+    PAGES.mkdir(parents=True)
+    text = (ROOT / "docs/Doxyfile").read_text() + "WARN_AS_ERROR = FAIL_ON_WARNINGS\n"
+    if start(("doxygen", "-"), input=text).returncode != 0:
+        fail("doxygen found something")
+    shutil.copytree(ROOT / "examples", PAGES / "source/examples")
+    shutil.copytree(ROOT / "docs/data", PAGES / "source/docs/data")
+    copy([ROOT / "CITATION.cff", ROOT / "LICENSE"], PAGES / "source")
+    run("tests/readme/check_pages", PAGES)
+
+
+def docs():
+    need("docs")
+    make_pages()
+    print(f"The documentation is in {PAGES}/index.html")
+
+
+def format_sources():
+    need("lint")
+    run("clang-format", "-i", *sources(*FORMATTED))
+
+
+def lint(quick, changed):
+    """Makes all checks, and says at the end which of them found something."""
+    need("build", "lint")
+    run_quietly("cmake", "--preset", "release")  # writes the compile commands that clang-tidy reads
+    files = changed_sources if changed else sources
+    checks = {
+        "hooks": lambda: check_hooks(files()),
+        "clang-tidy": lambda: check_tidy(files(*TIDY)),
+        "interface": lambda: interface("--check"),
+        "pages": make_pages,
+    }
+    if quick:
+        del checks["clang-tidy"]
+    found = []
+    for name, check in checks.items():
+        print(f"lint: {name}")
+        try:
+            check()
+        except Failure as failure:
+            print(failure)
+            found.append(name)
+    if found:
+        fail(f"lint found something: {', '.join(found)}")
+    print("lint: nothing to complain about")

@@ -1,0 +1,69 @@
+"""The Python package: its wheel, and the sessions of noxfile.py that test it."""
+
+import os
+import shutil
+
+from .build import build_program
+from .need import need
+from .pins import PIP, tool
+from .shell import BUILD, ROOT, copy, fresh, only, output, run
+
+NATIVE = BUILD / "python-wheel"  # has the wheel for this system
+WHEELS = BUILD / "wheel"  # has the wheels that were made last
+
+
+def date_packages():
+    """Gives the files of all packages one time: the last commit's. A source tarball's files have it already."""
+    if "SOURCE_DATE_EPOCH" not in os.environ:
+        in_git = (ROOT / ".git").exists()
+        made = output("git", "log", "-1", "--format=%ct") if in_git else int((ROOT / "CHANGELOG.md").stat().st_mtime)
+        os.environ["SOURCE_DATE_EPOCH"] = str(made)
+
+
+def pip_wheel(sources, out, folder, **variables):
+    """Makes the wheel of sources, built in a folder with CMake variables."""
+    date_packages()
+    settings = {"build-dir": folder, **{f"cmake.define.{name}": value for name, value in variables.items()}}
+    pip = (tool("pip"), "wheel", "-q", "--no-deps", "--no-build-isolation", f"./{sources}", "-w", fresh(out))
+    run(*pip, *(f"--config-settings={name}={value}" for name, value in settings.items()), env=PIP)
+    return only(out, "*.whl")
+
+
+def wheel():
+    """Makes the wheel for this system. It is compiled like the release build, so ccache has all of it."""
+    build_program()
+    need("python")
+    variables = {"MIMO_WERROR": "ON", "CMAKE_CXX_COMPILER": "c++"}
+    copy([pip_wheel("bindings/python", NATIVE, ROOT / "build-python", **variables)], fresh(WHEELS))
+
+
+def sessions(*names, arguments=()):
+    """Runs sessions of noxfile.py; those that learn use Debian's torch where there is one."""
+    need("python", *(["train"] if shutil.which("apt-get") and {"learning", "ray", "train"} & {*names} else []))
+    run(tool("nox"), "--envdir", BUILD / "nox", "--session", *names, *arguments, env=PIP)
+
+
+def test_python():
+    wheel()
+    sessions("package", "shown", "learning")
+
+
+def test_pythons():
+    wheel()
+    sessions("versions")
+
+
+def test_view():
+    need("view")
+    wheel()
+    sessions("view")
+
+
+def test_ray():
+    wheel()
+    sessions("ray")
+
+
+def train(arguments):
+    wheel()
+    sessions("train", arguments=("--", *arguments))

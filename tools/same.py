@@ -1,0 +1,56 @@
+"""The same bytes in every language: the scenario of tests/capi/same.c."""
+
+import difflib
+
+from .build import build
+from .csharp import build_csharp
+from .need import need
+from .octave import OCTAVE, build_mex
+from .pins import environment
+from .rust import LIBRARY
+from .shell import BUILD, ROOT, fail, fresh, output
+
+MADE = BUILD / "same"
+VARIABLES = {**LIBRARY, "MIMO_LIBRARY": BUILD / "lib/libmimo.so", "PYTHONPATH": ROOT / "bindings/python/src"}
+CRATE = "bindings/rust/mimo/Cargo.toml"
+
+
+def check_same(complaint, expected, got):
+    """Fails with the differences of two texts."""
+    if expected != got:
+        lines = difflib.unified_diff(expected.splitlines(), got.splitlines(), "expected", "got", lineterm="")
+        fail("\n".join([complaint, *lines]))
+
+
+def hashed(language, *command):
+    """Runs a program that writes a file of blocks for each scene, and prints scenes and sums of rewards.
+
+    Returns what it prints with the hashes of the files in between.
+    """
+    folder = fresh(MADE / language)
+    words = [line.split() for line in output(*command, env=VARIABLES).splitlines()]
+    return "\n".join(f"{scene} {output(BUILD / 'bin/same_fnv1a', folder / scene)} {total}" for scene, total in words)
+
+
+def test_same():
+    """Compares a line a scene, with the hash of all blocks."""
+    need("rust")
+    build("release", "mimo", "capi_same", "same_cpp", "same_fnv1a")
+    python = environment("python-same", "test") / "python"
+    build_csharp()
+    build_mex()
+    print("The same bytes in C, C++, Python, Rust, C# and Octave")
+    expected = output(BUILD / "bin/capi_same")
+    print(expected)
+    in_octave = (*OCTAVE, "--path", ROOT / "tests/same", "--eval", f"same('{MADE}/octave')")
+    said = {
+        "C++": output(BUILD / "bin/same_cpp"),
+        "Python": hashed("python", python, "tests/same/same.py", MADE / "python"),
+        "Rust": output("cargo", "run", "-q", "--manifest-path", CRATE, "--example", "same", env=VARIABLES),
+        "C#": output("mono", BUILD / "csharp/Same.exe", env=VARIABLES),
+    }
+    for language, text in said.items():
+        check_same(f"{language} gives other bytes than C", expected, text)
+    # MATLAB and Octave have no tasks of one's own.
+    shared = "\n".join(line for line in expected.splitlines() if not line.startswith("own "))
+    check_same("Octave gives other bytes than C", shared, hashed("octave", *in_octave))
