@@ -117,6 +117,7 @@ class Function:
     header: str
     stability: str
     since: str
+    node: str = ""  # its symbol version
 
 
 @dataclass

@@ -326,7 +326,7 @@ def describe(headers=HEADERS):
         "version": version + values["MIMO_VERSION_LABEL"],
         "abi": values["MIMO_ABI_VERSION"],
     } | data
-    notes.add(data, now="{MIMO_API_MAJOR}.{MIMO_API_MINOR}".format(**values))
+    notes.add(data, "{MIMO_API_MAJOR}.{MIMO_API_MINOR}".format(**values), values["MIMO_VERSION_LABEL"])
     return data
 
 

@@ -22,11 +22,11 @@ def read():
     return tomllib.loads(NOTES.read_text(encoding="utf-8"))
 
 
-def add(data, now):
-    """Adds the enumerations, and to everything else what is noted of it; `now` is the version of the interface."""
+def add(data, now, label):
+    """Adds the enumerations, and to everything what is noted of it. `now` is the interface's version, "1.0"."""
     notes = read()
     data["enums"] = group(data, notes)
-    Annotator(data, notes, History(now)).annotate()
+    Annotator(data, notes, History(now, label)).annotate()
 
 
 def group(data, notes):
@@ -84,10 +84,11 @@ def check_values(enum, constants):
 
 
 class History:
-    """In which version of the interface a name came, and how large a struct was then."""
+    """In which version of the interface a name came, how large a struct was then, and the node of what is promised."""
 
-    def __init__(self, now):
-        self.now, self.came, self.first_sizes = now, {}, {}
+    def __init__(self, now, label):
+        self.now, self.newest = now, now + label.replace("-", "_")
+        self.came, self.first_sizes, self.nodes = {}, {}, {}
         for path in sorted(FROZEN.glob("*.json"), key=lambda one: [int(part) for part in one.stem.split(".")]):
             released = json.loads(path.read_text(encoding="utf-8"))
             for one in released["constants"] + released["functions"] + released["structs"]:
@@ -96,9 +97,19 @@ class History:
                 self.first_sizes.setdefault(struct["name"], struct["size"])
                 for member in struct["members"]:
                     self.came.setdefault(f"{struct['name']}.{member['name']}", path.stem)
+            if path.stem != now:
+                for function in released["functions"]:
+                    if function["stability"] == "stable":
+                        self.nodes.setdefault(function["name"], function["node"])
 
     def since(self, name):
         return self.came.get(name, self.now)
+
+    def node(self, name, stability):
+        """A function's symbol version: the one with which it was promised, or else one that each version changes."""
+        if stability == "experimental":
+            return f"LIBMIMO_EXPERIMENTAL_{self.newest}"
+        return self.nodes.get(name, f"LIBMIMO_{self.newest}")
 
 
 class Annotator:
@@ -117,6 +128,7 @@ class Annotator:
             self.struct(struct)
         for function in self.data["functions"]:
             function |= self.status(function["name"], function["header"])
+            function["node"] = self.history.node(function["name"], function["stability"])
         for function in self.data["functions"] + self.data["callbacks"]:
             self.parameters(function)
         given = {*self.notes["enums_of"], *self.notes["members"], *self.notes["owners"]}

@@ -184,7 +184,7 @@ class Describe(unittest.TestCase):
 
     def test_names_what_a_binding_lacks(self):
         interface = api.load()
-        new = api.Function("mimo_env_pair", "mimo_status", [], "Pairs.", "env.h", "stable", "1.1")
+        new = api.Function("mimo_env_pair", "mimo_status", [], "Pairs.", "env.h", "stable", "1.1", "LIBMIMO_1.1")
         interface.functions.append(new)
         with self.assertRaises(describe.Undescribable) as raised:
             bindings_page.table(interface)
