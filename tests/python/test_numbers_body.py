@@ -111,14 +111,14 @@ def test_ways_of_nerves():
     )
     one_way, cord = 1e3 * foot / speed, 12
     Page("guide/reflexes.md").says(
-        "foot that is {} m from its brain stem is drawn back after {} + {} + {} = {} ms",
+        "foot that is {} m from its brain stem withdraws after {} + {} + {} = {} ms",
         *(foot, one_way, one_way, cord, 2 * one_way + cord),
     )
 
 
 def test_thresholds_and_speeds_of_reflexes():
     page = Page("guide/reflexes.md")
-    page.says("at the speed of their age ({} m/s at birth", mimo.Maturity.at(0).conduction_speed)
+    page.says("at the nerves' speed ({} m/s at birth", mimo.Maturity.at(0).conduction_speed)
     page.tested("| {} mN on a foot of a newborn, {} mN from 12 months on", "unit/receptors/skin_test.cpp")
 
 

@@ -45,11 +45,11 @@ LAWS = {
     "guide/reflexes.md": [
         ("`MIMO_REFLEX_PALMAR_GRASP` | {} N on the palm", "reflexes/table.cpp"),
         (
-            "not on the back of the hand | fingers and thumb bend, as long as it is there | to {} |",
+            "not on the back of the hand | fingers and thumb bend while the touch lasts | to {} |",
             "reflexes/table.cpp",
         ),
         (
-            "| {} N from below on toes or ball of the foot | toes bend, as long as it is there | to {} |",
+            "| {} N from below on toes or ball of the foot | toes bend while the touch lasts | to {} |",
             "reflexes/table.cpp",
         ),
         ("`MIMO_REFLEX_ROOTING` | {} N within", "reflexes/table.cpp"),
@@ -57,10 +57,10 @@ LAWS = {
         ("legs are lifted in turn, {} s for both", "reflexes/pattern.cpp"),
         ("share of an amplitude: {} (palmar grasp), {} (neck) or {} (all others)", "reflexes/table.cpp"),
         ("grasps and withdrawal {} weeks from conception, rooting {}, Moro {}, stepping {}", "reflexes/table.cpp"),
-        ("what otoliths feel changes by {} g within {} s", "env/stimuli.cpp"),
+        ("the otoliths' specific force changes by {} g within {} s", "env/stimuli.cpp"),
     ],
     "guide/muscles.md": [
-        ("goes towards the action with a time constant of {} ms", "actuation/muscle.cpp"),
+        ("approaches the action with a time constant of {} ms", "actuation/muscle.cpp"),
         ("rises with {} ms and falls with {} ms", "actuation/muscle.cpp"),
         ("| bump with a shoulder, from {} to {} |", "actuation/muscle_curves.h"),
         ("1 at rest, up to {} when stretched", "actuation/muscle_curves.h"),
@@ -77,7 +77,7 @@ LAWS = {
     "guide/balance.md": [
         ("(0.1, 1, 10, 100 rad/s), good to", "receptors/maculae.cpp"),
         ("afferents do: 46.2 and {} (spikes/s)/g", "receptors/maculae.cpp"),
-        ("The organs lie {} head radii beside the middle, {} below it", "receptors/labyrinth.cpp"),
+        ("The organs are {} head radii beside the middle, {} below it", "receptors/labyrinth.cpp"),
         ("+ (f - g) / 1.54 s dv/dt = 0.173/s c - v / {} s + {} rad/s^2", "receptors/gravity_estimate.cpp"),
         ("found {}/s for canals of {} s", "receptors/gravity_estimate.cpp"),
     ],

@@ -66,7 +66,7 @@ def test_a_quick_tilt():
 
 def test_rolling_on_and_on():
     *_, last = turning("roll", [np.deg2rad(60)] * 12000)
-    Page("guide/balance.md").says("| rolling on and on at 60 degrees a second | {} degrees off |", off(*last))
+    Page("guide/balance.md").says("| rolling constantly at 60 degrees per second | {} degrees off |", off(*last))
 
 
 def test_a_tilt_that_stays():
@@ -126,9 +126,9 @@ def test_balance_in_tests():
     page.tested("| right posterior | {} | {} | {} |", LABYRINTH)
     page.tested("the long time constant Tc = {} s", LABYRINTH)
     page.tested("| shaking by {} g at {} Hz | moves it by {} g |", LABYRINTH)
-    page.tested("| {} g to one side that stay | taken for a tilt of {} degrees", LABYRINTH)
+    page.tested("| a constant {} g to one side | taken for a tilt of {} degrees", LABYRINTH)
     page.tested("a static gain, as afferents do: {} and", LABYRINTH)
-    page.says("gives the left utricle's outward afferents {} Hz", 46.165)
+    page.says("adds {} Hz to the left utricle's outward afferents", 46.165)
     page.says("K T2/T1, the gain in the middle, is {} for regular and {} for", 2.83 * 2.7 / 17.5, 27.09 * 0.6 / 30)
 
 
@@ -214,7 +214,7 @@ def test_muscles_in_tests():
     page.tested("| 1.55 | {}, {} | {}, {} | {}, {} |", MUSCLES)
     page.tested("| Ia | {} | {} | {} | {} |", MUSCLES)
     page.tested("| II | {} | {} | {} | {} |", MUSCLES)
-    page.tested("begins at {} of its last value, is at {} after 1 s and {} after 5", MUSCLES)
+    page.tested("starts at {} of its final value, is at {} after 1 s and {} after 5", MUSCLES)
 
 
 def test_skin_at_rest():
