@@ -18,6 +18,7 @@ extern "C" {
  *   - proprioception: the nerve from the body part that the joint moves, and sensory_delay;
  *   - the vestibular sense, vision and hearing: their own delay alone;
  *   - an action: the nerve to the body part that its motor moves, and motor_delay.
+ *
  * Nerve lengths follow from the agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number of
  * time steps of the model (with attached senses, of the host's steps).
  */

@@ -391,9 +391,9 @@ namespace Mimo
     /// SensoryDelay;</description></item><item><description>proprioception: the nerve from the body part that the
     /// joint moves, and SensoryDelay;</description></item><item><description>the vestibular sense, vision and
     /// hearing: their own delay alone;</description></item><item><description>an action: the nerve to the body part
-    /// that its motor moves, and MotorDelay. Nerve lengths follow from the agent's own body
-    /// (Quantity.BodyNerveLength). Delays are rounded to the nearest number of time steps of the model (with
-    /// attached senses, of the host's steps).</description></item></list></remarks>
+    /// that its motor moves, and MotorDelay.</description></item></list> Nerve lengths follow from the agent's own
+    /// body (Quantity.BodyNerveLength). Delays are rounded to the nearest number of time steps of the model (with
+    /// attached senses, of the host's steps).</remarks>
     public sealed partial class Maturity
     {
         private MaturityStruct raw;

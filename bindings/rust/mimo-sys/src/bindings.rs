@@ -1125,9 +1125,10 @@ pub struct mimo_limits {
 /// - touch: the nerve from the body part with the sensor, and sensory_delay;
 /// - proprioception: the nerve from the body part that the joint moves, and sensory_delay;
 /// - the vestibular sense, vision and hearing: their own delay alone;
-/// - an action: the nerve to the body part that its motor moves, and motor_delay. Nerve lengths follow from the
-/// agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number of time steps of the model
-/// (with attached senses, of the host's steps).
+/// - an action: the nerve to the body part that its motor moves, and motor_delay.
+///
+/// Nerve lengths follow from the agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number
+/// of time steps of the model (with attached senses, of the host's steps).
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_maturity {

@@ -139,7 +139,7 @@ impl ObjectConfig {
         use_it(&raw)
     }
 
-    /// A [`Shape`] constant.
+    /// A [`Shape`](crate::Shape) constant.
     pub fn shape(&mut self, shape: Shape) -> &mut Self {
         self.raw.shape = shape.raw();
         self
@@ -261,7 +261,7 @@ impl CameraConfig {
         use_it(&raw)
     }
 
-    /// [`Vision`] bits, at least one. Default [`Vision::RGB`].
+    /// [`Vision`](crate::Vision) bits, at least one. Default [`Vision::RGB`](crate::Vision::RGB).
     pub fn outputs(&mut self, outputs: Vision) -> &mut Self {
         self.raw.outputs = outputs.raw();
         self
@@ -292,10 +292,10 @@ impl CameraConfig {
     }
 }
 
-/// A further field of the observation, of type [`FieldType::F32`]: a quantity of chosen elements of the scene, which
-/// [`mimo_env_get`](crate::sys::mimo_env_get) would read otherwise. Its shape is elements x values of each; (elements)
-/// where each has one value; one axis of all values where their numbers differ; for a `MIMO_WORLD_` quantity its
-/// values.
+/// A further field of the observation, of type [`FieldType::F32`](crate::FieldType::F32): a quantity of chosen
+/// elements of the scene, which [`mimo_env_get`](crate::sys::mimo_env_get) would read otherwise. Its shape is elements
+/// x values of each; (elements) where each has one value; one axis of all values where their numbers differ; for a
+/// `MIMO_WORLD_` quantity its values.
 #[derive(Clone, Debug)]
 pub struct FieldConfig {
     pub(crate) raw: sys::mimo_field_config,
@@ -341,9 +341,9 @@ impl FieldConfig {
 /// range, stiffness, damping and friction of joints. The infant starts in the same pose, within the range of its
 /// joints; its lowest point is where it would be at 18 months. All defaults give that body, to the last bit. Objects
 /// and rooms do not change; docs/tasks.md says how tasks adapt. Errors of the call that receives it:
-/// [`Status::INVALID_ARGUMENT`] for numbers out of range, for an agent that is not an infant, and for a combination
-/// that no girth of the limbs can give; [`Status::UNSUPPORTED`] for an infant in the scene's MJCF whose parts were
-/// changed.
+/// [`Status::INVALID_ARGUMENT`](crate::Status::INVALID_ARGUMENT) for numbers out of range, for an agent that is not an
+/// infant, and for a combination that no girth of the limbs can give;
+/// [`Status::UNSUPPORTED`](crate::Status::UNSUPPORTED) for an infant in the scene's MJCF whose parts were changed.
 #[derive(Clone, Copy, Debug)]
 pub struct Growth {
     pub(crate) raw: sys::mimo_growth,
@@ -359,13 +359,13 @@ impl Growth {
         one.as_ref().map_or(null(), |one| &one.raw as *const _)
     }
 
-    /// A [`Sex`] constant. Default [`Sex::MEAN`].
+    /// A [`Sex`](crate::Sex) constant. Default [`Sex::MEAN`](crate::Sex::MEAN).
     pub fn sex(&mut self, sex: Sex) -> &mut Self {
         self.raw.sex = sex.raw();
         self
     }
 
-    /// A [`GrowthModel`] constant. Default [`GrowthModel::WHO`].
+    /// A [`GrowthModel`](crate::GrowthModel) constant. Default [`GrowthModel::WHO`](crate::GrowthModel::WHO).
     pub fn model(&mut self, model: GrowthModel) -> &mut Self {
         self.raw.model = model.raw();
         self
@@ -434,7 +434,7 @@ impl Growth {
         self
     }
 
-    /// [`Mature`] bits; empty (default): [`Mature::BODY`].
+    /// [`Mature`](crate::Mature) bits; empty (default): [`Mature::BODY`](crate::Mature::BODY).
     pub fn maturity(&mut self, maturity: Mature) -> &mut Self {
         self.raw.maturity = maturity.raw();
         self
@@ -486,7 +486,7 @@ impl AgentConfig {
         use_it(&raw)
     }
 
-    /// A [`Place`] constant: its point that lies at position. Default: the scene's.
+    /// A [`Place`](crate::Place) constant: its point that lies at position. Default: the scene's.
     pub fn place(&mut self, place: Place) -> &mut Self {
         self.raw.place = place.raw();
         self
@@ -506,7 +506,7 @@ impl AgentConfig {
         Ok(self)
     }
 
-    /// Of the point selected by place, m, world frame; unused with [`Place::SCENE`].
+    /// Of the point selected by place, m, world frame; unused with [`Place::SCENE`](crate::Place::SCENE).
     pub fn position(&mut self, position: [f64; 3]) -> &mut Self {
         self.raw.position = position;
         self
@@ -518,16 +518,20 @@ impl AgentConfig {
         self
     }
 
-    /// [`Proprioception`] bits; empty: no proprioception. Default, as the original: [`Proprioception::VELOCITY`],
-    /// [`Proprioception::TORQUE`], [`Proprioception::LIMIT`], [`Proprioception::ACTUATION`] and
-    /// [`Proprioception::POSITION`].
+    /// [`Proprioception`](crate::Proprioception) bits; empty: no proprioception. Default, as the original:
+    /// [`Proprioception::VELOCITY`](crate::Proprioception::VELOCITY),
+    /// [`Proprioception::TORQUE`](crate::Proprioception::TORQUE),
+    /// [`Proprioception::LIMIT`](crate::Proprioception::LIMIT),
+    /// [`Proprioception::ACTUATION`](crate::Proprioception::ACTUATION) and
+    /// [`Proprioception::POSITION`](crate::Proprioception::POSITION).
     pub fn proprioception(&mut self, proprioception: Proprioception) -> &mut Self {
         self.raw.proprioception = proprioception.raw();
         self
     }
 
-    /// [`Vestibular`] bits; empty: no sense of balance. Default: [`Vestibular::ACCELERATION`] and
-    /// [`Vestibular::ANGULAR_VELOCITY`].
+    /// [`Vestibular`](crate::Vestibular) bits; empty: no sense of balance. Default:
+    /// [`Vestibular::ACCELERATION`](crate::Vestibular::ACCELERATION) and
+    /// [`Vestibular::ANGULAR_VELOCITY`](crate::Vestibular::ANGULAR_VELOCITY).
     pub fn vestibular(&mut self, vestibular: Vestibular) -> &mut Self {
         self.raw.vestibular = vestibular.raw();
         self
@@ -539,7 +543,7 @@ impl AgentConfig {
         self
     }
 
-    /// [`Vision`] bits of both eyes; empty: no vision. Default [`Vision::RGB`].
+    /// [`Vision`](crate::Vision) bits of both eyes; empty: no vision. Default [`Vision::RGB`](crate::Vision::RGB).
     pub fn vision(&mut self, vision: Vision) -> &mut Self {
         self.raw.vision = vision.raw();
         self
@@ -557,7 +561,7 @@ impl AgentConfig {
         self
     }
 
-    /// An [`Actuation`] constant. Default torque.
+    /// An [`Actuation`](crate::Actuation) constant. Default torque.
     pub fn actuation(&mut self, actuation: Actuation) -> &mut Self {
         self.raw.actuation = actuation.raw();
         self
@@ -576,7 +580,7 @@ impl AgentConfig {
         self
     }
 
-    /// [`Act`] bits: the parts whose motors it controls; empty: the scene's choice.
+    /// [`Act`](crate::Act) bits: the parts whose motors it controls; empty: the scene's choice.
     pub fn acts(&mut self, acts: Act) -> &mut Self {
         self.raw.acts = acts.raw();
         self
@@ -588,25 +592,27 @@ impl AgentConfig {
         self
     }
 
-    /// [`Touch`] output bits; empty: no touch. Default [`Touch::FORCE`].
+    /// [`Touch`](crate::Touch) output bits; empty: no touch. Default [`Touch::FORCE`](crate::Touch::FORCE).
     pub fn touch(&mut self, touch: Touch) -> &mut Self {
         self.raw.touch = touch.raw();
         self
     }
 
-    /// A [`TouchResponse`] constant: how a touch spreads over sensors. Default [`TouchResponse::LINEAR`].
+    /// A [`TouchResponse`](crate::TouchResponse) constant: how a touch spreads over sensors. Default
+    /// [`TouchResponse::LINEAR`](crate::TouchResponse::LINEAR).
     pub fn touch_response(&mut self, touch_response: TouchResponse) -> &mut Self {
         self.raw.touch_response = touch_response.raw();
         self
     }
 
-    /// A [`TouchFrame`] constant: of touch/force with three components. Default [`Kind::BODY`].
+    /// A [`TouchFrame`](crate::TouchFrame) constant: of touch/force with three components. Default
+    /// [`Kind::BODY`](crate::Kind::BODY).
     pub fn touch_frame(&mut self, touch_frame: TouchFrame) -> &mut Self {
         self.raw.touch_frame = touch_frame.raw();
         self
     }
 
-    /// [`Reflex`] bits; adds the field reflex/activation; empty (default): none.
+    /// [`Reflex`](crate::Reflex) bits; adds the field reflex/activation; empty (default): none.
     pub fn reflexes(&mut self, reflexes: Reflex) -> &mut Self {
         self.raw.reflexes = reflexes.raw();
         self
@@ -649,7 +655,7 @@ impl AgentConfig {
         self
     }
 
-    /// [`Hearing`] bits; empty (default): no hearing.
+    /// [`Hearing`](crate::Hearing) bits; empty (default): no hearing.
     pub fn hearing(&mut self, hearing: Hearing) -> &mut Self {
         self.raw.hearing = hearing.raw();
         self
@@ -703,13 +709,13 @@ impl EnvConfig {
         self
     }
 
-    /// A [`Jacobian`] constant.
+    /// A [`Jacobian`](crate::Jacobian) constant.
     pub fn jacobian(&mut self, jacobian: Jacobian) -> &mut Self {
         self.raw.jacobian = jacobian.raw();
         self
     }
 
-    /// [`Disable`] bits.
+    /// [`Disable`](crate::Disable) bits.
     pub fn disable(&mut self, disable: Disable) -> &mut Self {
         self.raw.disable = disable.raw();
         self
@@ -747,7 +753,7 @@ impl EnvConfig {
         Ok(self)
     }
 
-    /// [`Render`] bits: effects that pictures show; the others cost nothing. Default: all except fog.
+    /// [`Render`](crate::Render) bits: effects that pictures show; the others cost nothing. Default: all except fog.
     pub fn render(&mut self, render: Render) -> &mut Self {
         self.raw.render = render.raw();
         self
@@ -767,7 +773,8 @@ impl EnvConfig {
         self
     }
 
-    /// true: records the contacts of each step ([`Kind::STEP_CONTACT`]). Default 0, at no cost.
+    /// true: records the contacts of each step ([`Kind::STEP_CONTACT`](crate::Kind::STEP_CONTACT)). Default 0, at no
+    /// cost.
     pub fn step_contacts(&mut self, step_contacts: bool) -> &mut Self {
         self.raw.step_contacts = step_contacts.into();
         self
@@ -801,7 +808,7 @@ impl PictureConfig {
         use_it(&raw)
     }
 
-    /// [`PictureFormat`] bits. Default empty: RGB, row 0 is the top.
+    /// [`PictureFormat`](crate::PictureFormat) bits. Default empty: RGB, row 0 is the top.
     pub fn format(&mut self, format: PictureFormat) -> &mut Self {
         self.raw.format = format.raw();
         self
@@ -973,14 +980,15 @@ impl BatchConfig {
         self
     }
 
-    /// An [`Autoreset`] constant. When one agent's episode ends, the others' are truncated.
+    /// An [`Autoreset`](crate::Autoreset) constant. When one agent's episode ends, the others' are truncated.
     pub fn autoreset(&mut self, autoreset: Autoreset) -> &mut Self {
         self.raw.autoreset = autoreset.raw();
         self
     }
 
-    /// true: a world whose simulation fails starts a new episode, as after an end (with [`Autoreset::NONE`]: in the
-    /// same step). false: it stays failed until [`mimo_batch_reset`](crate::sys::mimo_batch_reset) or a loaded state.
+    /// true: a world whose simulation fails starts a new episode, as after an end (with
+    /// [`Autoreset::NONE`](crate::Autoreset::NONE): in the same step). false: it stays failed until
+    /// [`mimo_batch_reset`](crate::sys::mimo_batch_reset) or a loaded state.
     pub fn restart_failed(&mut self, restart_failed: bool) -> &mut Self {
         self.raw.restart_failed = restart_failed.into();
         self
@@ -1054,7 +1062,7 @@ impl SensesConfig {
         self
     }
 
-    /// [`Render`] bits, as in [`EnvConfig`](crate::EnvConfig).
+    /// [`Render`](crate::Render) bits, as in [`EnvConfig`](crate::EnvConfig).
     pub fn render(&mut self, render: Render) -> &mut Self {
         self.raw.render = render.raw();
         self

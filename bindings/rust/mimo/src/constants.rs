@@ -98,7 +98,8 @@ values! {
 values! {
     /// By which rules infants grow.
     GrowthModel: i32
-    /// The [`GrowthModel::WHO`]'s child growth standards and measured infants: docs/guide/growth.md.
+    /// The [`GrowthModel::WHO`](crate::GrowthModel::WHO)'s child growth standards and measured infants:
+    /// docs/guide/growth.md.
     WHO = MIMO_GROWTH_WHO,
     /// The rules of MIMo's second version, for comparison.
     ORIGINAL = MIMO_GROWTH_ORIGINAL,
@@ -113,11 +114,12 @@ flags! {
     EYES = MIMO_MATURITY_EYES,
     /// The delays of its nerves to and from the brain, by its physiological age.
     DELAYS = MIMO_MATURITY_DELAYS,
-    /// With [`Mature::EYES`]: contrasts below the threshold disappear.
+    /// With [`Mature::EYES`](crate::Mature::EYES): contrasts below the threshold disappear.
     THRESHOLD = MIMO_MATURITY_THRESHOLD,
-    /// With [`Mature::EYES`]: changes above the flicker limit are blurred.
+    /// With [`Mature::EYES`](crate::Mature::EYES): changes above the flicker limit are blurred.
     FLICKER = MIMO_MATURITY_FLICKER,
-    /// All bits of the loaded library except [`Mature::THRESHOLD`] and [`Mature::FLICKER`].
+    /// All bits of the loaded library except [`Mature::THRESHOLD`](crate::Mature::THRESHOLD) and
+    /// [`Mature::FLICKER`](crate::Mature::FLICKER).
     ALL = MIMO_MATURITY_ALL,
 }
 
@@ -280,7 +282,7 @@ flags! {
     Touch: u32
     /// touch/force, N x 3: normal force and friction, N.
     FORCE = MIMO_TOUCH_FORCE,
-    /// touch/force, N x 1: only the normal force, N; instead of [`Touch::FORCE`].
+    /// touch/force, N x 1: only the normal force, N; instead of [`Touch::FORCE`](crate::Touch::FORCE).
     NORMAL_FORCE = MIMO_TOUCH_NORMAL_FORCE,
     /// touch/slip, N x 2: sliding over the skin, along its tangents, m/s.
     SLIP = MIMO_TOUCH_SLIP,
@@ -305,7 +307,8 @@ flags! {
     NOCICEPTION_FAST = MIMO_TOUCH_NOCICEPTION_FAST,
     /// touch/nociception_slow: pricks, heat and cold, late and lasting.
     NOCICEPTION_SLOW = MIMO_TOUCH_NOCICEPTION_SLOW,
-    /// touch/units, N x 4: number of [`Touch::SA1`], [`Touch::RA`], [`Touch::PC`], [`Touch::SA2`] units per sensor.
+    /// touch/units, N x 4: number of [`Touch::SA1`](crate::Touch::SA1), [`Touch::RA`](crate::Touch::RA),
+    /// [`Touch::PC`](crate::Touch::PC), [`Touch::SA2`](crate::Touch::SA2) units per sensor.
     UNITS = MIMO_TOUCH_UNITS,
 }
 
@@ -327,7 +330,7 @@ values! {
     BODY = MIMO_FRAME_BODY,
     /// The world frame.
     WORLD = MIMO_FRAME_WORLD,
-    /// The skin's frame at the sensor: normal and two tangents; see [`Receptor::FRAME`].
+    /// The skin's frame at the sensor: normal and two tangents; see [`Receptor::FRAME`](crate::Receptor::FRAME).
     SKIN = MIMO_FRAME_SKIN,
 }
 
@@ -437,7 +440,7 @@ values! {
     FACE = MIMO_FACE,
     /// The world itself: id 0, without a name.
     WORLD = MIMO_WORLD,
-    /// Kinds of warnings: the ids are [`WarningCode`] constants, 0 is any other one.
+    /// Kinds of warnings: the ids are [`WarningCode`](crate::WarningCode) constants, 0 is any other one.
     WARNING = MIMO_WARNING,
 }
 
@@ -457,11 +460,12 @@ values! {
     /// Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world
     /// without joints.
     BODY_POSITION = MIMO_BODY_POSITION,
-    /// Body: 4, w x y z. Writable as [`Quantity::BODY_POSITION`].
+    /// Body: 4, w x y z. Writable as [`Quantity::BODY_POSITION`](crate::Quantity::BODY_POSITION).
     BODY_ORIENTATION = MIMO_BODY_ORIENTATION,
     /// Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.
     BODY_VELOCITY = MIMO_BODY_VELOCITY,
-    /// Body: 6, force and torque at its centre of mass, world. Writable as [`Quantity::JOINT_FORCE`].
+    /// Body: 6, force and torque at its centre of mass, world. Writable as
+    /// [`Quantity::JOINT_FORCE`](crate::Quantity::JOINT_FORCE).
     BODY_FORCE = MIMO_BODY_FORCE,
     /// Body: 1, kg, \> 0. Writable, W: its inertia grows along.
     BODY_MASS = MIMO_BODY_MASS,
@@ -490,7 +494,7 @@ values! {
     SENSOR_VALUE = MIMO_SENSOR_VALUE,
     /// Actuator: 1, Nm at control 1. Writable, W.
     ACTUATOR_GEAR = MIMO_ACTUATOR_GEAR,
-    /// Body: 7, position and orientation. Writable as [`Quantity::BODY_POSITION`].
+    /// Body: 7, position and orientation. Writable as [`Quantity::BODY_POSITION`](crate::Quantity::BODY_POSITION).
     BODY_POSE = MIMO_BODY_POSE,
     /// Geom: 7, position and orientation.
     GEOM_POSE = MIMO_GEOM_POSE,
@@ -543,8 +547,8 @@ values! {
     STEP_CONTACT_PEAK_FORCE = MIMO_STEP_CONTACT_PEAK_FORCE,
     /// Step contact: 3, of the strongest contact at that time, world, m.
     STEP_CONTACT_PEAK_POSITION = MIMO_STEP_CONTACT_PEAK_POSITION,
-    /// Agent: 1, id of the [`Kind::FACE`] that it shows; -1 for none of them. Writable, W, for agents that have a
-    /// face.
+    /// Agent: 1, id of the [`Kind::FACE`](crate::Kind::FACE) that it shows; -1 for none of them. Writable, W, for
+    /// agents that have a face.
     AGENT_FACE = MIMO_AGENT_FACE,
     /// World: 3, m/s^2, world frame. Writable, W.
     WORLD_GRAVITY = MIMO_WORLD_GRAVITY,
@@ -556,7 +560,7 @@ values! {
     /// Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the
     /// task: docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
     AGENT_GOAL = MIMO_AGENT_GOAL,
-    /// Agent: see [`Quantity::AGENT_GOAL`].
+    /// Agent: see [`Quantity::AGENT_GOAL`](crate::Quantity::AGENT_GOAL).
     AGENT_ACHIEVED = MIMO_AGENT_ACHIEVED,
     /// Agent: 1, months, as [`Growth`](crate::Growth) says: of size and mass. None where the agent is no infant.
     AGENT_AGE = MIMO_AGENT_AGE,
@@ -567,7 +571,8 @@ values! {
     BODY_NERVE_LENGTH = MIMO_BODY_NERVE_LENGTH,
     /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
     /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where
-    /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`] or _SECONDARY. Writable.
+    /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`](crate::Proprioception::SPINDLE_PRIMARY) or
+    /// _SECONDARY. Writable.
     ACTUATOR_FUSIMOTOR_DRIVE = MIMO_ACTUATOR_FUSIMOTOR_DRIVE,
 }
 

@@ -1,7 +1,11 @@
 //! How configs are made that need to be told something first.
 use crate::configs::*;
 use crate::constants::{Quantity, Status};
-use crate::error::{c_string, Error, Result};
+use crate::error::{c_string, check, Error, Result};
+use crate::records::Maturity;
+use crate::structs::sized;
+use crate::sys;
+use std::mem::size_of;
 
 impl SceneConfig {
     /// An empty world.
@@ -129,5 +133,14 @@ impl SensesConfig {
         let mut config = SensesConfig::init()?;
         config.raw.mujoco_version = mujoco_version;
         Ok(config)
+    }
+}
+
+impl Maturity {
+    /// The eyes and nerves of an infant of an age, 0 to 24 months.
+    pub fn of_age(months: f64) -> Result<Maturity> {
+        let mut raw = sized();
+        check(unsafe { sys::mimo_maturity_at(months, &mut raw, size_of::<sys::mimo_maturity>()) })?;
+        Ok(Maturity::of(&raw))
     }
 }

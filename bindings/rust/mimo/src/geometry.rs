@@ -1,6 +1,7 @@
 //! Shapes, materials, textures, lights and poses, for programs that draw the world themselves.
 use crate::constants::{Axes, Kind, TextureType};
 use crate::error::{check, Result};
+use crate::records::{Appearance, Light};
 use crate::structs::{defaults, described, sized};
 use crate::sys;
 use crate::world::World;
@@ -34,28 +35,6 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// How a geom looks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Appearance {
-    /// Whether MuJoCo would draw it.
-    pub visible: bool,
-    /// MuJoCo's number of its group.
-    pub group: i32,
-    /// Id of its texture.
-    pub texture: Option<i32>,
-    /// Red, green, blue, opacity; times the texture's.
-    pub color: [f32; 4],
-    /// How much of its colour it shines by itself.
-    pub emission: f32,
-    /// Strength of highlights.
-    pub specular: f32,
-    /// Their sharpness: Phong's exponent is 128 times this.
-    pub shininess: f32,
-    /// Share of what it mirrors.
-    pub reflectance: f32,
-}
-
 /// A texture as pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
@@ -68,34 +47,6 @@ pub struct Texture {
     pub height: u32,
     /// Red, green, blue, 255 of each, row after row.
     pub pixels: Vec<u8>,
-}
-
-/// A light of now.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Light {
-    /// Whether it shines.
-    pub active: bool,
-    /// Whether its light is parallel.
-    pub directional: bool,
-    /// Whether it casts shadows.
-    pub casts_shadow: bool,
-    /// Half angle of its cone, degrees.
-    pub cutoff: f32,
-    /// How much it is stronger in the middle of the cone.
-    pub exponent: f32,
-    /// Of now.
-    pub position: [f32; 3],
-    /// Where it shines, unit vector.
-    pub direction: [f32; 3],
-    /// Red, green, blue that reach everything.
-    pub ambient: [f32; 3],
-    /// Red, green, blue of what is turned to it.
-    pub diffuse: [f32; 3],
-    /// Red, green, blue of highlights.
-    pub specular: [f32; 3],
-    /// At a distance of d metres it has 1 / (a0 + a1 d + a2 d^2) of its strength.
-    pub attenuation: [f32; 3],
 }
 
 /// Where something is.
@@ -147,18 +98,7 @@ impl World {
 
     /// How a geom looks now.
     pub fn appearance(&self, geom: i32) -> Result<Appearance> {
-        let raw: sys::mimo_appearance =
-            described(|raw| unsafe { sys::mimo_env_appearance(self.handle(), geom, raw) })?;
-        Ok(Appearance {
-            visible: raw.visible == 1,
-            group: raw.group,
-            texture: if raw.texture >= 0 { Some(raw.texture) } else { None },
-            color: raw.color,
-            emission: raw.emission,
-            specular: raw.specular,
-            shininess: raw.shininess,
-            reflectance: raw.reflectance,
-        })
+        Ok(Appearance::of(&described(|raw| unsafe { sys::mimo_env_appearance(self.handle(), geom, raw) })?))
     }
 
     /// How many textures there are; ids are 0 to that - 1.
@@ -183,19 +123,7 @@ impl World {
     pub fn light(&self, id: Option<i32>, axes: Axes) -> Result<Light> {
         let mut raw = sys::mimo_light { axes: axes.raw(), ..sized() };
         check(unsafe { sys::mimo_env_light(self.handle(), id.unwrap_or(sys::MIMO_HEADLIGHT), &mut raw) })?;
-        Ok(Light {
-            active: raw.active == 1,
-            directional: raw.directional == 1,
-            casts_shadow: raw.casts_shadow == 1,
-            cutoff: raw.cutoff,
-            exponent: raw.exponent,
-            position: raw.position,
-            direction: raw.direction,
-            ambient: raw.ambient,
-            diffuse: raw.diffuse,
-            specular: raw.specular,
-            attenuation: raw.attenuation,
-        })
+        Ok(Light::of(&raw))
     }
 
     /// Where all bodies, geoms, sites or cameras are now.

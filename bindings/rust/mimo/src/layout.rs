@@ -3,6 +3,7 @@ use crate::block::Block;
 use crate::constants::Receptor;
 use crate::error::{c_string, check, text, Result};
 use crate::field::Field;
+use crate::records::{Action, Term};
 use crate::rows::row;
 use crate::structs::described;
 use crate::sys;
@@ -15,33 +16,6 @@ pub struct Layout<'a> {
     // Belongs to its owner.
     handle: &'a sys::mimo_layout,
     info: sys::mimo_layout_info,
-}
-
-/// One action: the control input of one motor, as a share of its largest torque, or what
-/// [`AgentConfig::actuation`](crate::AgentConfig::actuation) makes of it.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Action {
-    /// Its actuator's, "act:left_elbow", or its muscle's.
-    pub name: String,
-    /// "rad" under position control without normalised actions; "" for none.
-    pub unit: String,
-    /// Whose it is.
-    pub agent: usize,
-    /// Smallest value, a number of an `f32`; -infinity where there is none.
-    pub low: f64,
-    /// Largest value.
-    pub high: f64,
-}
-
-/// A part of an agent's reward, which is the sum of them.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Term {
-    /// "distance".
-    pub name: String,
-    /// Whose reward.
-    pub agent: usize,
 }
 
 /// A place where skin feels.
@@ -171,10 +145,7 @@ impl<'a> Layout<'a> {
     }
 
     fn action(&self, index: usize) -> Result<Action> {
-        let raw: sys::mimo_action =
-            described(|raw| unsafe { sys::mimo_layout_action(self.handle, index, raw) })?;
-        let (name, unit) = (text(raw.name), text(raw.unit));
-        Ok(Action { name, unit, agent: raw.agent, low: raw.low, high: raw.high })
+        Ok(Action::of(&described(|raw| unsafe { sys::mimo_layout_action(self.handle, index, raw) })?))
     }
 
     /// What the terms of [`Results`](crate::Results) are, in their order.
@@ -183,8 +154,7 @@ impl<'a> Layout<'a> {
     }
 
     fn term(&self, index: usize) -> Result<Term> {
-        let raw: sys::mimo_term = described(|raw| unsafe { sys::mimo_layout_term(self.handle, index, raw) })?;
-        Ok(Term { name: text(raw.name), agent: raw.agent })
+        Ok(Term::of(&described(|raw| unsafe { sys::mimo_layout_term(self.handle, index, raw) })?))
     }
 
     /// Memory for observations of so many worlds.

@@ -1,7 +1,8 @@
 //! Recordings: runs in HDF5 files, written while they happen, and played again.
 use crate::block::{memory, Block};
 use crate::configs::RecorderConfig;
-use crate::error::{c_string, check, text, Result};
+use crate::error::{c_string, check, Result};
+use crate::records::{RecordingInfo, ReplayReport};
 use crate::results::Step;
 use crate::structs::{described, pointer};
 use crate::sys;
@@ -50,50 +51,6 @@ impl Drop for Recorder {
     }
 }
 
-/// What a recording holds.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct RecordingInfo {
-    /// Of the file.
-    pub format_version: u32,
-    /// Whether the loaded library is the one that recorded.
-    pub same_build: bool,
-    /// That can be played.
-    pub steps: usize,
-    /// That were kept.
-    pub states: usize,
-    /// Ages that infants had.
-    pub bodies: usize,
-    /// Of one step.
-    pub step_seconds: f64,
-    /// Versions and build that recorded.
-    pub build: String,
-    /// Of the loaded library.
-    pub this_build: String,
-    /// What the recording program left.
-    pub configuration: String,
-    /// As a decimal number.
-    pub seed: String,
-}
-
-/// What a replay has shown so far.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct ReplayReport {
-    /// Whether all that was compared was the same to the last bit.
-    pub identical: bool,
-    /// The step that comes next.
-    pub next: usize,
-    /// How many were played.
-    pub steps: usize,
-    /// The first step that differed.
-    pub first_difference: usize,
-    /// Of any number.
-    pub largest_difference: f64,
-    /// The dataset in which that was, "" where all was identical.
-    pub differs_most_in: String,
-}
-
 /// A recording that is read, and played again in a world like the one that was recorded.
 #[derive(Debug)]
 pub struct Recording {
@@ -129,19 +86,9 @@ impl Recording {
 
     /// What it holds.
     pub fn info(&self) -> Result<RecordingInfo> {
-        let raw = described(|info| unsafe { sys::mimo_recording_describe(self.handle(), info) })?;
-        Ok(RecordingInfo {
-            format_version: raw.format_version,
-            same_build: raw.same_build != 0,
-            steps: raw.steps,
-            states: raw.states,
-            bodies: raw.bodies,
-            step_seconds: raw.step_seconds,
-            build: text(raw.build),
-            this_build: text(raw.this_build),
-            configuration: text(raw.configuration),
-            seed: text(raw.seed),
-        })
+        Ok(RecordingInfo::of(&described(|info| unsafe {
+            sys::mimo_recording_describe(self.handle(), info)
+        })?))
     }
 
     /// How many rows a dataset has, and their length in bytes.
@@ -205,15 +152,9 @@ impl Recording {
 
     /// What was compared since the last seek.
     pub fn report(&self) -> Result<ReplayReport> {
-        let raw = described(|report| unsafe { sys::mimo_recording_report(self.handle(), report) })?;
-        Ok(ReplayReport {
-            identical: raw.identical != 0,
-            next: raw.next,
-            steps: raw.steps,
-            first_difference: raw.first_difference,
-            largest_difference: raw.largest_difference,
-            differs_most_in: text(raw.differs_most_in),
-        })
+        Ok(ReplayReport::of(&described(|report| unsafe {
+            sys::mimo_recording_report(self.handle(), report)
+        })?))
     }
 }
 

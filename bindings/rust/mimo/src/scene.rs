@@ -1,9 +1,8 @@
 //! Scenes: rooms, objects and infants.
 use crate::configs::{AgentConfig, CameraConfig, FieldConfig, ModelConfig, ObjectConfig, SceneConfig};
 use crate::error::{c_string, check, text, Result};
-use crate::limits::Limits;
 use crate::log::Log;
-use crate::maturity::Maturity;
+use crate::records::{Limits, Maturity};
 use crate::structs::{defaults, pointer};
 use crate::sys;
 use crate::task::{self, Shared, Task};

@@ -57,8 +57,8 @@ fn fields_say_when_they_are_true() {
             (field.start, field.end)
         })
     };
-    assert_eq!(times(&Limits::default()), [(0.0, 0.0), (-0.005, -0.005)]);
-    let late = times(&Limits { delay: 0.03, ..Limits::default() });
+    assert_eq!(times(&Limits::new().unwrap()), [(0.0, 0.0), (-0.005, -0.005)]);
+    let late = times(&Limits { delay: 0.03, ..Limits::new().unwrap() });
     for ((start, end), expected) in late.into_iter().zip([-0.03, -0.035]) {
         assert!((start - expected).abs() < 1e-12 && (end - expected).abs() < 1e-12, "{} {}", start, end);
     }
@@ -98,7 +98,7 @@ fn nerves_are_as_late_as_the_infant_is_old() {
     env.reset(Reset::new().ages(&[Some(older)]), None).unwrap();
     assert!(delays(&env, "proprioception/limit").iter().sum::<f64>() < late.iter().sum());
     assert_eq!(delays(&build(Mature::EYES, None), "vestibular/acceleration"), [0.0; 3]);
-    let slow = Maturity { vestibular_delay: 0.1, ..Maturity::default() };
+    let slow = Maturity { vestibular_delay: 0.1, ..Maturity::new().unwrap() };
     assert_eq!(delays(&build(Mature::ALL, Some(&slow)), "vestibular/acceleration"), [0.1; 3]);
     let error = Scene::builtin("free").unwrap().set_maturity(0, Some(&newborn)).unwrap_err();
     assert_eq!(error.status(), Status::INVALID_ARGUMENT);

@@ -178,14 +178,14 @@ fn limited_senses() {
     };
     let plain = build(None);
     assert_eq!(plain[0].len(), 1);
-    let twice = build(Some(mimo::Limits { gain: 2.0, delay: 0.02, ..mimo::Limits::default() }));
+    let twice = build(Some(mimo::Limits { gain: 2.0, delay: 0.02, ..mimo::Limits::new().unwrap() }));
     assert_eq!(twice[4][0], 2.0 * plain[2][0]);
     assert_ne!(plain[2], plain[4]);
-    let shaky = build(Some(mimo::Limits { signal_noise: 0.1, ..mimo::Limits::default() }));
+    let shaky = build(Some(mimo::Limits { signal_noise: 0.1, ..mimo::Limits::new().unwrap() }));
     assert_ne!(shaky[4], plain[4]);
     assert!((shaky[4][0] / plain[4][0] - 1.0).abs() < 0.6);
     let error =
-        Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::default()).unwrap_err();
+        Scene::builtin("reach").unwrap().limit_sense(0, "touch", &mimo::Limits::new().unwrap()).unwrap_err();
     assert_eq!(error.status(), Status::INVALID_ARGUMENT);
 }
 
@@ -204,7 +204,7 @@ fn limited_motors() {
         Env::new(&scene, &config).unwrap()
     };
     let mut plain = build(None);
-    let mut late = build(Some(mimo::Limits { gain: 0.5, delay: 0.02, ..mimo::Limits::default() }));
+    let mut late = build(Some(mimo::Limits { gain: 0.5, delay: 0.02, ..mimo::Limits::new().unwrap() }));
     let action = vec![0.5; late.layout().unwrap().action_count()];
     let motors = ["act:left_elbow", "act:right_elbow"].map(|name| late.find(Kind::ACTUATOR, name).unwrap());
     for expected in [[0.0, 0.5], [0.0, 0.5], [0.25, 0.5]] {
