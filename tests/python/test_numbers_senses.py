@@ -129,7 +129,7 @@ def test_balance_in_tests():
     page.tested("| a constant {} g to one side | taken for a tilt of {} degrees", LABYRINTH)
     page.tested("a static gain, as afferents do: {} and", LABYRINTH)
     page.says("adds {} Hz to the left utricle's outward afferents", 46.165)
-    page.says("K T2/T1, the gain in the middle, is {} for regular and {} for", 2.83 * 2.7 / 17.5, 27.09 * 0.6 / 30)
+    page.says("K T2/T1, the gain at medium frequencies, is {} for regular and {} for", 2.83 * 2.7 / 17.5, 27.09 * 0.6 / 30)
 
 
 @lru_cache(maxsize=None)
