@@ -1,4 +1,5 @@
-// What a game does: steps an infant at 60 Hz, shows what its left eye sees, and puts its body where the engine wants it.
+// The loop of a game: steps an infant at 60 Hz, reads the picture of its left eye for a texture, and its body's poses in the
+// engine's frame.
 //
 //   mcs -r:MimoSharp.dll Game.cs && mono Game.exe [SECONDS]
 using System;
@@ -22,7 +23,7 @@ internal static class Game
         }
     }
 
-    /// <summary>The world's steps are 10 ms long and a frame's 16.7: as many as it takes to catch up with the clock.</summary>
+    /// <summary>Steps the world until it reaches the clock. A step takes 10 ms, a frame 16.7 ms.</summary>
     private static void CatchUp(Env env, float[] action, double clock)
     {
         while (env.Time < clock)
@@ -52,7 +53,7 @@ internal static class Game
                 poses.Read();
                 var spent = watch.Elapsed.TotalSeconds;
                 sum += spent;
-                if (frame > 10) longest = Math.Max(longest, spent); // the first frames also compile
+                if (frame > 10) longest = Math.Max(longest, spent); // in the first frames the runtime compiles
                 if (spent < FrameSeconds) Thread.Sleep(TimeSpan.FromSeconds(FrameSeconds - spent));
             }
             var head = poses.Poses[env.Find(Kind.Body, "head")];

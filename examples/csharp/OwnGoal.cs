@@ -1,5 +1,5 @@
-// A task of one's own with a goal in the observation: the infant is to bring its left hand to a place that each episode
-// draws anew. The library asks the task within each step, and keeps goal and hand with the world's state.
+// A custom task with a goal in the observation: the infant's left hand has to reach a place that is random in each episode.
+// The library calls the task within each step, and keeps the goal and the hand's position in the world's state.
 //
 //   mcs -r:MimoSharp.dll OwnGoal.cs && mono OwnGoal.exe
 using System;
@@ -7,7 +7,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using Mimo;
 
-/// <summary>Two fields of three numbers each, the desired goal before the achieved one.</summary>
+/// <summary>A task with two fields of three numbers, the desired and the achieved goal.</summary>
 internal sealed class TouchTheGoal : MimoTask
 {
     private const double Near = 0.1; // m
@@ -28,7 +28,7 @@ internal sealed class TouchTheGoal : MimoTask
     public override void Reset(Env world, TaskMoment moment)
     {
         var shares = new double[3];
-        world.Random(shares); // the world's own stream: seeds it, and it is repeatable
+        world.Random(shares); // from the world's random stream, so that a seed repeats them
         for (var i = 0; i < 3; ++i) moment.Fields[i] = (float)(middle[i] + 0.2 * shares[i] - 0.1);
         Feel(world, moment);
     }
@@ -42,11 +42,11 @@ internal sealed class TouchTheGoal : MimoTask
         verdict.Terms[0] = -Math.Sqrt(square);
         verdict.Terms[1] = -0.001 * effort;
         if (Math.Sqrt(square) < Near) verdict.Outcome = Outcome.Success;
-        verdict.GoesOn = true; // it may hold its hand there
+        verdict.GoesOn = true; // the episode continues, so that the infant can hold its hand there
         verdict.Truncated = moment.Step == 100;
     }
 
-    /// <summary>Where the hand is.</summary>
+    /// <summary>Writes the hand's position into the observation.</summary>
     private void Feel(Env world, TaskMoment moment)
     {
         var place = new double[3];

@@ -22,7 +22,7 @@ GROUPS = {("double", 3): "Vector3d", ("double", 4): "Quaterniond", ("float", 3):
 ADDED = {"Quantity": ["MIMO_NOW"]}
 
 # Names that an engine has already: with one of ours of the same name, a script that uses both namespaces does not
-# compile. They get "Mimo" before them, as in MimoScene; the test NamesAreFree knows all of them.
+# compile. They get "Mimo" before them, as in MimoScene; the test NamesDoNotClashWithEngines has all of them.
 TAKEN = {"Action", "Light", "Mesh", "Scene", "Task", "Texture", "Touch"}
 
 # Functions whose method in C# has another name, or is a constructor or a list.

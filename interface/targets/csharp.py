@@ -32,6 +32,8 @@ PARAMETERS = {
     ("mimo_batch_send", "actions"): "IntPtr",  # used after the call
     ("mimo_batch_send", "blocks"): "IntPtr",  # used after the call
     ("mimo_recording_read", "values"): "IntPtr",  # of any type
+    ("mimo_scene_direct_source", "place"): "ref Vector3d",
+    ("mimo_scene_direct_source", "axis"): "ref Vector3d",
     ("mimo_env_look_angles", "point"): "ref Vector3d",
     ("mimo_env_look_angles", "errors"): "double[]",
     ("mimo_env_look_at", "point"): "ref Vector3d",

@@ -1,7 +1,7 @@
-"""Makes a NuGet package: the classes, and below runtimes/ the library for each system, where .NET looks for it.
+"""Makes a NuGet package: the classes, and the library for each system below runtimes/, where .NET searches for it.
 
-make_nuget.py VERSION CLASSES OUT.nupkg RID=FOLDER...: CLASSES has MimoSharp.dll and MimoSharp.xml; RID is what NuGet calls a system,
-whose FOLDER has libraries/ and licences/.
+make_nuget.py VERSION CLASSES OUT.nupkg RID=FOLDER...: CLASSES has MimoSharp.dll and MimoSharp.xml; RID is NuGet's
+name of a system, whose FOLDER has libraries/ and licences/.
 """
 
 import sys
@@ -10,6 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT))
 from tools.pack import write_zip  # noqa: E402
+
 ASKED_FOR = {"libmimo.so.1": "libmimo.so"}  # by DllImport("mimo")
 
 NUSPEC = """<?xml version="1.0" encoding="utf-8"?>
@@ -19,7 +20,7 @@ NUSPEC = """<?xml version="1.0" encoding="utf-8"?>
     <version>{version}</version>
     <authors>libmimo contributors</authors>
     <description>MIMo, the multimodal infant model: a simulated infant with touch, vision, proprioception, balance and
-hearing. The native library is inside.</description>
+hearing. The package contains the native library.</description>
     <license type="file">LICENSE</license>
     <readme>README.md</readme>
     <tags>infant simulation robotics mujoco reinforcement-learning</tags>
@@ -30,7 +31,7 @@ hearing. The native library is inside.</description>
 </package>
 """
 
-# What makes a zip file an Open Packaging archive, as NuGet's tools expect one.
+# The parts that make a zip file an Open Packaging archive, which NuGet's tools expect.
 TYPES = """<?xml version="1.0" encoding="utf-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
 {types}
@@ -44,7 +45,7 @@ RELATIONS = """<?xml version="1.0" encoding="utf-8"?>
 
 
 def content_types(names):
-    """Each ending once; what has none is named."""
+    """One entry per file ending, and one per file without an ending."""
     kinds = {"rels": "application/vnd.openxmlformats-package.relationships+xml"}
     rows = {}
     for name in names:
@@ -56,7 +57,7 @@ def content_types(names):
 
 
 def files(version, classes, systems):
-    """The names in the package, and what each holds."""
+    """The contents of the package: name and bytes of each file."""
     found = {
         "Mimo.nuspec": NUSPEC.format(version=version).encode(),
         "_rels/.rels": RELATIONS.encode(),

@@ -1,9 +1,9 @@
 """Makes a Unity package (a folder for the package manager, as a .tgz): the sources, and the library as plugins.
 
-make_unity.py VERSION OUT.tgz RID=FOLDER...: RID is what NuGet calls a system, whose FOLDER has libraries/ and licences/.
+make_unity.py VERSION OUT.tgz RID=FOLDER...: RID is NuGet's name of a system, whose FOLDER has libraries/ and licences/.
 
-Unity reads a package's files only if each has a .meta file with an identity of its own; it is made from the path, so that it
-stays the same from version to version.
+Unity reads a file of a package only if it has a .meta file with a unique identity. The identity is made of the path, so
+it is the same in all versions.
 """
 
 import hashlib
@@ -20,7 +20,7 @@ from tools.pack import below, write_tar  # noqa: E402
 
 NAME = "org.libmimo.mimo"
 
-# RID: what Unity's importer of plugins calls the system's player, its processor, the editor's system. There is no player
+# RID: the names of the player, the processor and the editor's system in Unity's plugin importer. Unity has no player
 # for Linux on ARM.
 PLATFORMS = {
     "linux-x64": ("Linux64", "x86_64", "Linux"),
@@ -59,7 +59,7 @@ PLUGIN = """PluginImporter:
 
 
 def manifest(version):
-    """What Unity's package manager reads."""
+    """The manifest for Unity's package manager."""
     return {
         "name": NAME,
         "version": version,
@@ -73,7 +73,7 @@ def manifest(version):
 
 
 def put_libraries(folder, to):
-    """Unity knows plugins by their ending: MuJoCo's library gets a name without numbers behind it."""
+    """Copies the libraries. Unity knows plugins by their ending, so MuJoCo's library gets a name without a version."""
     to.mkdir(parents=True)
     for file in sorted((folder / "libraries").iterdir()):
         numbered = file.suffix not in {".dll", ".dylib"}
@@ -85,7 +85,7 @@ def put_libraries(folder, to):
 
 
 def write_meta(path, root):
-    """The file beside a file or folder by which Unity knows it."""
+    """Writes the .meta file of a file or folder."""
     inside = path.relative_to(root)
     text = META.format(guid=hashlib.md5(f"{NAME}/{inside}".encode()).hexdigest())
     rid = inside.parts[2] if inside.parts[:2] == ("Runtime", "Plugins") and len(inside.parts) == 4 else None
@@ -98,7 +98,7 @@ def write_meta(path, root):
 
 
 def fill(root, version, systems):
-    """The package's folder."""
+    """Fills the folder of the package."""
     scripts = root / "Runtime/Scripts"
     shutil.copytree(ROOT / "bindings/csharp/src", scripts)
     assembly = {"name": "MimoSharp", "rootNamespace": "Mimo", "allowUnsafeCode": False, "autoReferenced": True}
@@ -109,7 +109,7 @@ def fill(root, version, systems):
     shutil.copyfile(ROOT / "LICENSE", root / "LICENSE.md")
     for rid, folder in systems.items():
         put_libraries(folder, root / "Runtime/Plugins" / rid)
-        shutil.copytree(folder / "licences", root / "Licences~" / rid)  # with ~, Unity leaves it alone
+        shutil.copytree(folder / "licences", root / "Licences~" / rid)  # Unity ignores folders that end with ~
     for path in sorted(root.rglob("*")):
         if "Licences~" not in path.parts:
             write_meta(path, root)
@@ -120,7 +120,7 @@ def main(version, out, *systems):
     named = dict(system.split("=", 1) for system in systems)
     named = {rid: Path(folder) for rid, folder in named.items() if rid in PLATFORMS}
     with tempfile.TemporaryDirectory() as work:
-        root = Path(work) / "package"  # what npm calls it, whose form Unity's registries have
+        root = Path(work) / "package"  # npm's name of the folder, which Unity's registries use, too
         root.mkdir()
         fill(root, version, named)
         write_tar(out, below(root, "package"))

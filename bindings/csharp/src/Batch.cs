@@ -3,9 +3,9 @@ using System.Linq;
 
 namespace Mimo
 {
-    /// <summary>Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
-    /// reset with the i-th seed and given the i-th actions. Its arrays are made once: a step allocates nothing. Masks have an
-    /// entry for each world; null means all.</summary>
+    /// <summary>Many worlds of one scene, stepped by a pool of threads. World i behaves exactly as a single world that
+    /// is reset with the i-th seed and gets the i-th actions. All arrays are made once: a step allocates nothing. Masks
+    /// have one entry per world; null selects all worlds.</summary>
     public sealed partial class Batch : IDisposable
     {
         private readonly BatchHandle owned;
@@ -13,32 +13,34 @@ namespace Mimo
         private readonly Env first;
         private readonly Results results;
         private readonly byte[] wasReset, finalWritten;
-        private readonly IntPtr blocks;     // where the arrays lie
+        private readonly IntPtr blocks;     // pinned
         private BatchResultsStruct places;
 
-        /// <summary>How many worlds.</summary>
+        /// <summary>Number of worlds.</summary>
         public int Worlds { get; }
 
-        /// <summary>How many threads step them.</summary>
+        /// <summary>Number of threads that step the worlds.</summary>
         public int Threads { get; }
 
-        /// <summary>What each world observes, acts with and is rewarded for.</summary>
+        /// <summary>The observations, actions and reward terms of each world.</summary>
         public Layout Layout { get; }
 
-        /// <summary>The last observations, worlds one after the other. Overwritten by each reset, step and observe.</summary>
+        /// <summary>The last observations, one world after the other. Each reset, step and observation overwrites
+        /// them.</summary>
         public byte[] Blocks { get; }
 
-        /// <summary>The last observations of the episodes that ended, where HasFinal; null without Autoreset.SameStep.</summary>
+        /// <summary>The last observations of ended episodes, for the worlds with HasFinal; null without
+        /// Autoreset.SameStep.</summary>
         public byte[] FinalBlocks { get; }
 
         /// <summary>Rewards of the last step, worlds x agents.</summary>
         public double[] Rewards => results.Rewards;
 
-        /// <summary>What they are the sums of, worlds x terms in the order of Layout.Terms.</summary>
+        /// <summary>The terms of the rewards, worlds x terms, in the order of Layout.Terms.</summary>
         public double[] Terms => results.Terms;
 
-        /// <summary>Compiles a scene once and makes worlds of it; threads of 0: as many as the machine has cores. With a cohort
-        /// the infants of world i are of cohort[i % cohort.Length]; null: as the scene says.</summary>
+        /// <summary>Compiles a scene once and makes worlds from it. threads = 0 uses all cores. With a cohort the
+        /// infants of world i get the growth cohort[i % cohort.Length]; null keeps the scene's infants.</summary>
         public Batch(MimoScene scene, int worlds, EnvConfig config = null, Autoreset autoreset = Autoreset.None, int threads = 0,
             bool restartFailed = false, Growth[] cohort = null)
         {
@@ -96,8 +98,8 @@ namespace Mimo
             });
         }
 
-        /// <summary>One world, between the batch's own calls: its names, pictures, locks. Its own block is not that of
-        /// the batch.</summary>
+        /// <summary>One world, usable between the batch's own calls, for example for names, pictures and locks. Its
+        /// block is separate from the batch's blocks.</summary>
         public Env World(int world)
         {
             IntPtr env;
@@ -116,8 +118,8 @@ namespace Mimo
             return Given.Below(world, Worlds, "world") * Layout.BlockBytes;
         }
 
-        /// <summary>Starts episodes: one seed for each world, or null: worlds go on with their own random numbers. With ages, one
-        /// for each world, infants become as old as that; null among them stays as it is.</summary>
+        /// <summary>Starts episodes. seeds has one seed per world; null: the worlds' random numbers continue. ages has
+        /// one growth per world, for all its infants; null, also as an entry, keeps their age.</summary>
         public void Reset(ulong[] seeds = null, bool[] mask = null, Growth[] ages = null)
         {
             if (seeds != null && seeds.Length != Worlds)
@@ -138,7 +140,7 @@ namespace Mimo
             if (ages != null) Layout.Renew();
         }
 
-        /// <summary>What became of one world in the last call; "" for nothing bad.</summary>
+        /// <summary>The error message of a world's last call; "" if it succeeded.</summary>
         public string ErrorOf(int world)
         {
             int status;
@@ -147,14 +149,14 @@ namespace Mimo
             return Utf8.Of(message);
         }
 
-        /// <summary>Observes the current states, without changing trajectories.</summary>
+        /// <summary>Observes the current states. The trajectories do not change.</summary>
         public void Observe(bool[] mask = null)
         {
             var chosen = BytesOf(mask);
             MimoException.Check(Native.mimo_batch_observe(Handle, chosen, Given.LengthOrNone(chosen), Blocks, (UIntPtr)Blocks.Length));
         }
 
-        /// <summary>Reads a quantity of many ids in all worlds: worlds x Env.Width.</summary>
+        /// <summary>Reads a quantity of several ids in all worlds: worlds x Env.Width values.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
             MimoException.Check(Native.mimo_batch_get(Handle, (int)quantity, ids, Given.LengthOrNone(ids), null, UIntPtr.Zero, values,
@@ -168,7 +170,7 @@ namespace Mimo
                 Given.LengthOf(values, "values")));
         }
 
-        /// <summary>Writes a quantity of many ids: worlds x Env.Width.</summary>
+        /// <summary>Writes a quantity of several ids in all worlds: worlds x Env.Width values.</summary>
         public void Set(Quantity quantity, int[] ids, double[] values, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
@@ -176,7 +178,7 @@ namespace Mimo
                 Given.LengthOf(values, "values")));
         }
 
-        /// <summary>Gives an infant another face.</summary>
+        /// <summary>Sets the face of an infant.</summary>
         public void SetFace(string name, int agent = 0, bool[] mask = null)
         {
             var faces = new double[Worlds];
@@ -184,7 +186,7 @@ namespace Mimo
             Set(Quantity.AgentFace, new[] { agent }, faces, mask);
         }
 
-        /// <summary>The states of all worlds, one after the other, each in as many bytes as the longest.</summary>
+        /// <summary>The states of all worlds, one after the other. Each has the size of the longest state.</summary>
         public byte[] Save()
         {
             UIntPtr bytes;
@@ -194,8 +196,8 @@ namespace Mimo
             return states;
         }
 
-        /// <summary>Loads one state for each world, or a single one into all: futures of one present. Tells of the world
-        /// where most started fresh.</summary>
+        /// <summary>Loads one state per world, or a single state into all worlds. Returns the report of the world in
+        /// which most sections started fresh.</summary>
         public LoadReport Load(byte[] states, bool[] mask = null)
         {
             var chosen = BytesOf(mask);
@@ -205,7 +207,7 @@ namespace Mimo
 
         private static byte[] BytesOf(bool[] mask) { return mask?.Select(chosen => (byte)(chosen ? 1 : 0)).ToArray(); }
 
-        /// <summary>Frees the batch and its worlds.</summary>
+        /// <summary>Destroys the batch and its worlds.</summary>
         public void Dispose() { owned.Dispose(); }
     }
 }

@@ -2,18 +2,18 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>Steps of all worlds: at once, or while the caller does something else.</summary>
+    /// <summary>Steps of all worlds, synchronous or in the background.</summary>
     public sealed partial class Batch
     {
-        /// <summary>Goes one step on in all worlds; worlds x actions, null leaves the controls as they are. The exception is
-        /// that of the first world that did not do what was asked; all others have made their step.</summary>
+        /// <summary>Steps all worlds. actions is worlds x actions; null keeps the controls. If a world fails, the
+        /// others still make their step, and the exception is the one of the first world that failed.</summary>
         public void Step(float[] actions)
         {
             MimoException.Check(Native.mimo_batch_step(Handle, actions, Given.LengthOrNone(actions), Blocks, (UIntPtr)Blocks.Length, ref places));
         }
 
-        /// <summary>Starts a step and returns at once. Until Receive the actions are not to be changed, blocks and rewards are
-        /// not to be read, and everything else is refused.</summary>
+        /// <summary>Starts a step and returns at once. Until Receive do not change the actions and do not read blocks
+        /// or rewards; all other calls are refused.</summary>
         public void Send(float[] actions)
         {
             var sent = new Pinned(actions);
@@ -23,23 +23,24 @@ namespace Mimo
             MimoException.Check(status);
         }
 
-        /// <summary>Waits for the step that was sent. Exceptions are as those of Step.</summary>
+        /// <summary>Waits for the end of the step that Send started. Throws what Step would throw.</summary>
         public void Receive() { MimoException.Check(Native.mimo_batch_receive(Handle)); }
 
-        /// <summary>What an agent of a world got in the last step.</summary>
+        /// <summary>The result of the last step for an agent of a world.</summary>
         public Step StepOf(int world, int agent = 0) { return results.Of(Given.Below(world, Worlds, "world") * Layout.Agents + Given.Below(agent, Layout.Agents, "agent")); }
 
-        /// <summary>Whether the last step started a new episode in a world: its block is then the first of that.</summary>
+        /// <summary>Whether the last step started a new episode in a world. The world's block is then the first one of
+        /// that episode.</summary>
         public bool WasReset(int world) { return wasReset[Given.Below(world, Worlds, "world")] != 0; }
 
-        /// <summary>Whether the last step left a world's last observation of the episode that it ended, with
+        /// <summary>Whether the last step ended an episode of a world and kept its last observation, with
         /// Autoreset.SameStep.</summary>
         public bool HasFinal(int world) { return finalWritten[Given.Below(world, Worlds, "world")] != 0; }
 
-        /// <summary>Copies a field of that observation into an array of its element type.</summary>
+        /// <summary>Copies a field of an episode's last observation into an array of its element type.</summary>
         public void ReadFinal<T>(int world, Field field, T[] into) where T : struct
         {
-            if (FinalBlocks == null) throw Given.Refusal("autoreset is not SameStep: there are no last observations of episodes");
+            if (FinalBlocks == null) throw Given.Refusal("autoreset is not SameStep: the last observations of episodes are not kept");
             Given.Some(field, "field", "one of Layout.Fields").CopyTo(into, FinalBlocks, StartOf(world));
         }
     }

@@ -5,19 +5,20 @@ using System.Threading;
 
 namespace Mimo
 {
-    /// <summary>The end of the process, or of a domain that an engine unloads to reload scripts. The library's threads that have
-    /// run a task belong to the runtime, which would wait for them for ever: so batches go before. Recordings are closed. Other
-    /// threads that are in the library meanwhile do not come back to the program, which would find its worlds gone.</summary>
+    /// <summary>Cleans up at the end of the process, or of a domain that an engine unloads to reload scripts. Library
+    /// threads that have run a task belong to the runtime, which would wait for them for ever; therefore batches are
+    /// destroyed first. Recordings are closed. Other threads that are inside the library at that time never return to
+    /// the program, because its worlds are gone.</summary>
     internal static class Ending
     {
         private static readonly TimeSpan patience = TimeSpan.FromSeconds(10);
 
-        // Also of what awaits its finalizer: at the end that may not run.
+        // Tracks resurrection: objects that wait for their finalizers count, too.
         private static readonly List<WeakReference<IEnds>> living = new List<WeakReference<IEnds>>();
 
-        private static volatile Thread ender; // null: nothing ends
-        private static int callbacks;         // that run now
-        [ThreadStatic] private static int within; // of these, on this thread
+        private static volatile Thread ender; // null until the end begins
+        private static int callbacks;         // running now
+        [ThreadStatic] private static int within; // of them on this thread
 
         static Ending()
         {
@@ -25,10 +26,11 @@ namespace Mimo
             AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => End();
         }
 
-        /// <summary>What cannot be left to the collector at the end.</summary>
+        /// <summary>An object that must be disposed at the end, because finalizers may not run.</summary>
         internal interface IEnds : IDisposable
         {
-            /// <summary>Once the library has let it go, which it does as the last call on it returns.</summary>
+            /// <summary>True once the library has released the object, which happens when the last call on it
+            /// returns.</summary>
             bool IsGone { get; }
         }
 
@@ -42,21 +44,23 @@ namespace Mimo
             }
         }
 
-        /// <summary>Gives a handle to a call: not to one that begins after the end has.</summary>
+        /// <summary>Passes a handle to a call, unless the call starts after the end has begun.</summary>
         internal static T Pass<T>(T handle) where T : SafeHandle
         {
             Hold();
             return handle;
         }
 
-        /// <summary>Keeps a thread until its process or domain is gone. Not the one that ends it, which runs further handlers of
-        /// the program's, nor one in a callback, for whose end is waited.</summary>
+        /// <summary>Blocks a thread until its process or domain is gone. Does not block the thread that runs the end,
+        /// because the program's further handlers run there, nor a thread in a callback, because End waits for
+        /// callbacks.</summary>
         internal static void Hold()
         {
             if (ender != null && ender != Thread.CurrentThread && within == 0) Thread.Sleep(Timeout.Infinite);
         }
 
-        /// <summary>A function of the program's is to run within a call; false: it is too late for that. Goes with Leave.</summary>
+        /// <summary>Call it before a callback of the program runs; Leave goes with it. Returns false if the end has
+        /// begun and the callback must not run.</summary>
         internal static bool Enter()
         {
             ++within;
@@ -76,7 +80,7 @@ namespace Mimo
             WeakReference<IEnds>[] all;
             lock (living) all = living.ToArray();
             var until = DateTime.UtcNow + patience;
-            // The latest first: a recorder goes before its world.
+            // The newest first: recorders before their worlds.
             for (var i = all.Length - 1; i >= 0; --i)
             {
                 IEnds one;

@@ -2,23 +2,25 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>A simulated world. One thread at a time, any thread. Its arrays are made once: a step allocates nothing.</summary>
+    /// <summary>A simulated world. Any thread may use it, one at a time. All arrays are made once: a step allocates
+    /// nothing.</summary>
     public sealed partial class Env : IDisposable
     {
         private readonly EnvHandle owned;
         private readonly Results results;
         private EnvResultsStruct places;
 
-        /// <summary>The last observation: all fields, in one block. Overwritten by each reset, step and observe.</summary>
+        /// <summary>The last observation: one block with all fields. Each reset, step and observation overwrites
+        /// it.</summary>
         public byte[] Block { get; }
 
-        /// <summary>What it observes, acts with and is rewarded for.</summary>
+        /// <summary>The world's observations, actions and reward terms.</summary>
         public Layout Layout { get; }
 
-        /// <summary>What the rewards of the last step are the sums of, in the order of Layout.Terms.</summary>
+        /// <summary>The terms of the last step's rewards, in the order of Layout.Terms.</summary>
         public double[] Terms => results.Terms;
 
-        /// <summary>A built-in scene by name with its own infant and task.</summary>
+        /// <summary>Makes a world of a built-in scene with the scene's own infants and task.</summary>
         public Env(string scene) : this(Make(scene)) { }
 
         /// <summary>Compiles a scene and makes a world of it.</summary>
@@ -61,15 +63,16 @@ namespace Mimo
             });
         }
 
-        /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
+        /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or
+        /// double.</summary>
         public void Read<T>(Field field, T[] into) where T : struct { Given.Some(field, "field", "one of Layout.Fields").CopyTo(into, Block, 0); }
 
-        /// <summary>Copies a colour picture into RGBA bytes as engines want them: width x height x 4, opaque. bottomUp: the
-        /// first row is the lowest, as in textures of Unity and OpenGL; otherwise it is the top.</summary>
+        /// <summary>Copies a colour picture as opaque RGBA bytes, width x height x 4. With bottomUp the first row is
+        /// the bottom one, as in textures of Unity and OpenGL; without it the first row is the top one.</summary>
         public void ReadRgba(Field picture, byte[] rgba, bool bottomUp = false)
         {
             if (Given.Some(picture, "picture", "one of Layout.Fields").Type != FieldType.U8)
-                throw Given.Refusal("picture is " + picture.Name + ", expected a colour picture");
+                throw Given.Refusal("picture is " + picture.Name + ", expected a field with a colour picture");
             int height = picture.Shape[0], width = picture.Shape[1];
             if (rgba == null || rgba.Length < height * width * 4)
                 throw Given.Misfit(rgba, nameof(rgba), "but " + picture.Name + " needs 4 bytes for each of " + width + " x " + height + " pixels");
@@ -87,8 +90,8 @@ namespace Mimo
             }
         }
 
-        /// <summary>Starts an episode. Without a seed the world goes on with its own random numbers. With a growth all its infants
-        /// become as old as that.</summary>
+        /// <summary>Starts an episode. Without a seed the world's random numbers continue. With a growth all infants of
+        /// the world get that age and size.</summary>
         public void Reset(ulong? seed = null, Growth growth = null)
         {
             var config = ResetConfigStruct.Of(seed);
@@ -101,7 +104,7 @@ namespace Mimo
             if (growth != null) Layout.Renew();
         }
 
-        /// <summary>Goes one step on; gives what the first agent got. Null leaves the controls as they are.</summary>
+        /// <summary>Steps the world and returns the first agent's result. Null keeps the controls.</summary>
         public Step Step(float[] action)
         {
             MimoException.Check(Native.mimo_env_step(Handle, action, Given.LengthOrNone(action), Block,
@@ -111,7 +114,7 @@ namespace Mimo
 
         internal delegate int Move(EnvHandle env, byte[] block, ref EnvResultsStruct results);
 
-        /// <summary>A step that another function of the library makes.</summary>
+        /// <summary>A step made by another function of the library.</summary>
         internal Step Take(Move move)
         {
             MimoException.Check(move(Handle, Block, ref places));
@@ -120,10 +123,10 @@ namespace Mimo
 
         internal EnvHandle Handle => Ending.Pass(owned);
 
-        /// <summary>What an agent got in the last step.</summary>
+        /// <summary>An agent's result of the last step.</summary>
         public Step StepOf(int agent) { return results.Of(Given.Below(agent, Layout.Agents, "agent")); }
 
-        /// <summary>Observes the current state, without changing the trajectory.</summary>
+        /// <summary>Observes the current state. The trajectory does not change.</summary>
         public void Observe()
         {
             MimoException.Check(Native.mimo_env_observe(Handle, Block, (UIntPtr)Block.Length));
@@ -140,7 +143,7 @@ namespace Mimo
             }
         }
 
-        /// <summary>Frees the world; one of a batch stays with the batch.</summary>
+        /// <summary>Destroys the world. A world of a batch stays with the batch.</summary>
         public void Dispose() { owned.Dispose(); }
     }
 }

@@ -13,13 +13,13 @@ namespace Mimo
         public int Body1;
         /// <summary>Body of geom 2.</summary>
         public int Body2;
-        /// <summary>World, m.</summary>
+        /// <summary>Position in the world, m.</summary>
         public Vector3d Position;
-        /// <summary>From geom 1 to geom 2, world, unit vector.</summary>
+        /// <summary>Unit vector from geom 1 to geom 2, world frame.</summary>
         public Vector3d Normal;
-        /// <summary>Metres; negative: overlap.</summary>
+        /// <summary>Distance in metres; negative if the geoms overlap.</summary>
         public double Distance;
-        /// <summary>On body 2, world, N.</summary>
+        /// <summary>Force on body 2, N, world frame.</summary>
         public Vector3d Force;
     }
 
@@ -34,22 +34,22 @@ namespace Mimo
         public int Body1;
         /// <summary>Body of geom 2.</summary>
         public int Body2;
-        /// <summary>When they first touched, seconds since the step began.</summary>
+        /// <summary>Time of the first touch, seconds since the step's start.</summary>
         public double Start;
-        /// <summary>When they last touched, seconds since the step began.</summary>
+        /// <summary>Time of the last touch, seconds since the step's start.</summary>
         public double End;
-        /// <summary>On body 2 over the whole step, N s.</summary>
+        /// <summary>Impulse on body 2 over the whole step, N s.</summary>
         public Vector3d Impulse;
-        /// <summary>On body 2, the largest of the physics steps', N.</summary>
+        /// <summary>Largest force on body 2 in a physics step, N.</summary>
         public Vector3d PeakForce;
-        /// <summary>Of the strongest contact then, m.</summary>
+        /// <summary>Position of the strongest contact at that time, m.</summary>
         public Vector3d PeakPosition;
     }
 
-    /// <summary>Named access: look ids up once, then read and write many at a time.</summary>
+    /// <summary>Named access: find ids once, then read and write many values per call.</summary>
     public sealed partial class Env
     {
-        /// <summary>How many of a kind there are; their ids are 0 to one less.</summary>
+        /// <summary>Number of things of a kind. Their ids are 0 to Count - 1.</summary>
         public int Count(Kind kind)
         {
             UIntPtr count;
@@ -57,7 +57,7 @@ namespace Mimo
             return (int)count;
         }
 
-        /// <summary>Id of something by its name in the model.</summary>
+        /// <summary>The id of a thing with that name in the model.</summary>
         public int Find(Kind kind, string name)
         {
             int id;
@@ -65,7 +65,7 @@ namespace Mimo
             return id;
         }
 
-        /// <summary>The body that a joint, geom, site or camera belongs to, or the parent of a body.</summary>
+        /// <summary>The body of a joint, geom, site, camera or light, or the parent of a body.</summary>
         public int BodyOf(Kind kind, int id)
         {
             int body;
@@ -73,7 +73,7 @@ namespace Mimo
             return body;
         }
 
-        /// <summary>Name of something; "" where the model gives none.</summary>
+        /// <summary>The name of a thing; "" if it has none in the model.</summary>
         public string Name(Kind kind, int id)
         {
             IntPtr name;
@@ -81,8 +81,8 @@ namespace Mimo
             return Utf8.Of(name);
         }
 
-        /// <summary>Reads a quantity of many at once; values is as long as all of them together need. Ids null: all of its
-        /// kind.</summary>
+        /// <summary>Reads a quantity of several ids. values must have the length that Width returns. ids = null: all
+        /// things of the quantity's kind.</summary>
         public void Get(Quantity quantity, int[] ids, double[] values)
         {
             MimoException.Check(Native.mimo_env_get(Handle, (int)quantity, ids, Given.LengthOrNone(ids), values, Given.LengthOf(values, "values")));
@@ -94,7 +94,7 @@ namespace Mimo
             MimoException.Check(Native.mimo_env_get_float(Handle, (int)quantity, ids, Given.LengthOrNone(ids), values, Given.LengthOf(values, "values")));
         }
 
-        /// <summary>Reads a quantity of all of its kind.</summary>
+        /// <summary>Reads a quantity of all things of its kind.</summary>
         public double[] Get(Quantity quantity)
         {
             var values = new double[Width(quantity, null)];
@@ -104,18 +104,19 @@ namespace Mimo
             }
             catch (MimoException) when (Width(quantity, null) != values.Length)
             {
-                throw new MimoException(Status.Busy, "MIMO_E_BUSY", "another thread is using this Env: its contacts changed while they were read");
+                throw new MimoException(Status.Busy, "MIMO_E_BUSY", "another thread is using this Env: its contacts changed during the call");
             }
             return values;
         }
 
-        /// <summary>Writes a quantity of many at once. Ids null: all of its kind.</summary>
+        /// <summary>Writes a quantity of several ids. ids = null: all things of the quantity's kind.</summary>
         public void Set(Quantity quantity, int[] ids, params double[] values)
         {
             MimoException.Check(Native.mimo_env_set(Handle, (int)quantity, ids, Given.LengthOrNone(ids), values, Given.LengthOf(values, "values")));
         }
 
-        /// <summary>How many values a quantity of these has together. Ids null: all of its kind.</summary>
+        /// <summary>Number of values that a quantity of several ids has in total. ids = null: all things of the
+        /// quantity's kind.</summary>
         public int Width(Quantity quantity, int[] ids)
         {
             UIntPtr count;
@@ -123,10 +124,10 @@ namespace Mimo
             return (int)count;
         }
 
-        /// <summary>Recomputes poses from the current joint positions. The trajectory stays as it was.</summary>
+        /// <summary>Recomputes all poses from the current joint positions. The trajectory does not change.</summary>
         public void Update() { MimoException.Check(Native.mimo_env_update(Handle)); }
 
-        /// <summary>The contacts that the last physics step computed, with their forces.</summary>
+        /// <summary>The contacts of the last physics step, with their forces.</summary>
         public Contact[] Contacts()
         {
             double[] geoms = Get(Quantity.ContactGeoms), bodies = Get(Quantity.ContactBodies),
@@ -149,7 +150,8 @@ namespace Mimo
             return contacts;
         }
 
-        /// <summary>What touched what during the last step, in worlds with EnvConfig.StepContacts.</summary>
+        /// <summary>The pairs of geoms that touched during the last step, in worlds with
+        /// EnvConfig.StepContacts.</summary>
         public StepContact[] StepContacts()
         {
             double[] geoms = Get(Quantity.StepContactGeoms), bodies = Get(Quantity.StepContactBodies),
@@ -174,7 +176,8 @@ namespace Mimo
             return new Vector3d(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
         }
 
-        /// <summary>Fills an array with numbers from 0 (inclusive) to 1 (exclusive) from the world's own random stream.</summary>
+        /// <summary>Fills an array with random numbers from 0 (inclusive) to 1 (exclusive), drawn from the world's
+        /// random stream.</summary>
         public void Random(double[] values)
         {
             MimoException.Check(Native.mimo_env_random(Handle, values, Given.LengthOf(values, "values")));

@@ -9,29 +9,29 @@ namespace Mimo
         public float[] Positions { get; internal set; }
         /// <summary>Three for each vertex; unit vectors.</summary>
         public float[] Normals { get; internal set; }
-        /// <summary>Two for each vertex; (0, 0) is where the texture's first row begins.</summary>
+        /// <summary>Two for each vertex; (0, 0) is the start of the texture's first row.</summary>
         public float[] Texcoords { get; internal set; }
-        /// <summary>Three for each triangle, in the order that the engine takes for an outside.</summary>
+        /// <summary>Three for each triangle, in the winding order of the engine's outsides.</summary>
         public int[] Indices { get; internal set; }
     }
 
     /// <summary>A texture as pixels.</summary>
     public sealed class MimoTexture
     {
-        /// <summary>Flat, cube or sky.</summary>
+        /// <summary>Arrangement of the pixels.</summary>
         public TextureType Type { get; internal set; }
-        /// <summary>Pixels.</summary>
+        /// <summary>Width in pixels.</summary>
         public int Width { get; internal set; }
-        /// <summary>Pixels, of a cube's six pictures together.</summary>
+        /// <summary>Height in pixels; for a cube of all six pictures together.</summary>
         public int Height { get; internal set; }
-        /// <summary>Red, green, blue, 255 of each, row after row.</summary>
+        /// <summary>Four bytes per pixel (red, green, blue, 255), row after row.</summary>
         public byte[] Pixels { get; internal set; }
     }
 
-    /// <summary>Places and directions in an engine's frame.</summary>
+    /// <summary>Conversion of points and directions to an engine's frame.</summary>
     public static class Frames
     {
-        /// <summary>Converts points in place, three numbers each: of touch sensors, for example.</summary>
+        /// <summary>Converts points in place, three numbers each, for example the positions of touch sensors.</summary>
         public static void ConvertPoints(Axes axes, float[] points)
         {
             MimoException.Check(Native.mimo_convert_points((int)axes, points, Triples(points, "points")));
@@ -44,14 +44,14 @@ namespace Mimo
             return (UIntPtr)(numbers.Length / 3);
         }
 
-        /// <summary>Converts directions in place; their lengths stay.</summary>
+        /// <summary>Converts directions in place. Their lengths do not change.</summary>
         public static void ConvertDirections(Axes axes, float[] directions)
         {
             MimoException.Check(Native.mimo_convert_directions((int)axes, directions, Triples(directions, "directions")));
         }
     }
 
-    /// <summary>What engines draw themselves.</summary>
+    /// <summary>Shapes, textures, lights and poses, for engines that draw the world themselves.</summary>
     public sealed partial class Env
     {
         /// <summary>The light that every camera carries.</summary>
@@ -89,7 +89,7 @@ namespace Mimo
             return mesh;
         }
 
-        /// <summary>How a geom looks now.</summary>
+        /// <summary>A geom's current appearance.</summary>
         public Appearance Appearance(int geom)
         {
             var raw = AppearanceStruct.New();
@@ -97,7 +97,7 @@ namespace Mimo
             return new Appearance(raw);
         }
 
-        /// <summary>How many textures there are; ids are 0 to that - 1.</summary>
+        /// <summary>Number of textures. Ids are 0 to TextureCount - 1.</summary>
         public int TextureCount
         {
             get
@@ -136,8 +136,8 @@ namespace Mimo
             return new MimoLight(raw);
         }
 
-        /// <summary>Where all bodies, geoms, sites or cameras are now: seven numbers each, place and quaternion in the order of
-        /// the frame. Allocates nothing.</summary>
+        /// <summary>The current poses of all bodies, geoms, sites or cameras: seven numbers each, position and
+        /// quaternion in the order of the frame. Allocates nothing.</summary>
         public void Poses(Kind kind, Axes axes, float[] poses)
         {
             MimoException.Check(Native.mimo_env_poses(Handle, (int)kind, (int)axes, poses, Given.LengthOf(poses, "poses")));

@@ -5,19 +5,19 @@ namespace Mimo
     /// <summary>Joints that make an infant look at a point.</summary>
     public struct LookAngles
     {
-        /// <summary>Ids: pan, tilt and torsion of the left eye, then of the right one; before them swivel and tilt of the head
-        /// with Look.Head.</summary>
+        /// <summary>Joint ids: pan, tilt and torsion of the left eye, then of the right eye. With Look.Head swivel and
+        /// tilt of the head come first.</summary>
         public int[] Joints;
-        /// <summary>Their angles, rad, within the joints' ranges.</summary>
+        /// <summary>The joints' angles, rad, within their ranges.</summary>
         public double[] Angles;
-        /// <summary>By how much the left and the right eye miss the point because of their range, rad.</summary>
+        /// <summary>Angles by which the left and the right eye miss the point because of their range, rad.</summary>
         public double[] Errors;
     }
 
-    /// <summary>Looking, and being looked at.</summary>
+    /// <summary>Gaze of infants, and pictures.</summary>
     public sealed partial class Env
     {
-        /// <summary>Where an infant looks, by the poses of its eyes' cameras as they are.</summary>
+        /// <summary>An infant's gaze, from the poses of its eye cameras as Get reads them.</summary>
         public Gaze Gaze(int agent = 0)
         {
             var raw = GazeStruct.New();
@@ -25,7 +25,7 @@ namespace Mimo
             return new Gaze(raw);
         }
 
-        /// <summary>Angles of the joints that make an infant look at a point (world, m); nothing moves.</summary>
+        /// <summary>The joint angles with which an infant looks at a point (world frame, m). Nothing moves.</summary>
         public LookAngles LookAngles(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             UIntPtr count;
@@ -37,8 +37,8 @@ namespace Mimo
             return look;
         }
 
-        /// <summary>Makes an infant look at a point (world, m) at once; springs and motors go on moving its joints in the next
-        /// step. Gives the angles by which the left and the right eye miss it, rad.</summary>
+        /// <summary>Turns an infant's eyes to a point (world frame, m) at once. Springs and motors move the joints on
+        /// in the next step. Returns the angles by which the left and the right eye miss the point, rad.</summary>
         public double[] LookAt(Vector3d point, Look how = Look.Eyes, int agent = 0)
         {
             var errors = new double[2];
@@ -46,7 +46,7 @@ namespace Mimo
             return errors;
         }
 
-        /// <summary>Draws the current state. What is null is not drawn.</summary>
+        /// <summary>Draws the current state into the arrays that are not null.</summary>
         /// <param name="config">What to draw.</param>
         /// <param name="rgba">Height x width x 4 bytes, opaque.</param>
         /// <param name="depth">Height x width, metres along the camera's axis.</param>
@@ -65,9 +65,9 @@ namespace Mimo
             }
         }
 
-        /// <summary>Where points of the world (m) lie in the picture that Draw draws of this state: pixels to the right of its
-        /// left edge, pixels below its upper edge, and depth along the camera's axis, m. What has no depth above 0 is behind
-        /// the camera, and its pixels mean nothing.</summary>
+        /// <summary>The positions of world points (m) in the picture that Draw draws of this state: pixels from the
+        /// left edge, pixels from the top edge, and depth along the camera's axis, m. A depth of 0 or less is behind
+        /// the camera, and its pixels have no meaning.</summary>
         public Vector3d[] Project(PictureConfig config, params Vector3d[] points)
         {
             var pixels = new Vector3d[Given.Some(points, "points", "an array").Length];

@@ -2,10 +2,11 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>State, and what differs from world to world: faces, locks, gravity. They outlive resets.</summary>
+    /// <summary>Saved states, and values that differ between worlds and survive resets: faces, locks,
+    /// gravity.</summary>
     public sealed partial class Env
     {
-        /// <summary>Everything that the world's future depends on, as bytes.</summary>
+        /// <summary>The world's state as bytes: everything that determines its future.</summary>
         public byte[] Save()
         {
             var state = new byte[StateBytes];
@@ -23,15 +24,15 @@ namespace Mimo
             }
         }
 
-        /// <summary>Goes on from a state of a world of the same model, agents and task, exactly as that one did. What it
-        /// lacks of a delay starts fresh.</summary>
+        /// <summary>Loads a state of a world of the same model, agents and task. This world then continues exactly as
+        /// that one did. Delays that the state lacks start fresh.</summary>
         public LoadReport Load(byte[] state)
         {
             return LoadReport.Of((ref LoadReportStruct report) =>
                 Native.mimo_env_state_load(Handle, state, Given.LengthOf(state, "state"), ref report));
         }
 
-        /// <summary>Another world of the same scene and options, in the same state. The model is shared.</summary>
+        /// <summary>Makes another world of the same scene and config in the same state. Both share the model.</summary>
         public Env Clone()
         {
             EnvHandle clone;
@@ -41,7 +42,7 @@ namespace Mimo
             return new Env(clone);
         }
 
-        /// <summary>The face that an infant shows; "" for a body without faces.</summary>
+        /// <summary>An infant's face; "" for a body without faces.</summary>
         public string Face(int agent = 0)
         {
             var face = new double[1];
@@ -49,16 +50,16 @@ namespace Mimo
             return face[0] < 0 ? "" : Name(Kind.Face, (int)face[0]);
         }
 
-        /// <summary>Gives an infant another face; pictures show it from the next one on.</summary>
+        /// <summary>Sets an infant's face, which the next picture shows.</summary>
         public void SetFace(string name, int agent = 0) { Set(Quantity.AgentFace, new[] { agent }, Find(Kind.Face, name)); }
 
-        /// <summary>Holds a joint (its id) at an angle (rad), softly, from the next step on.</summary>
+        /// <summary>Holds a joint (by id) softly at an angle (rad) from the next step on.</summary>
         public void Lock(int joint, double angle) { Set(Quantity.JointLock, new[] { joint }, 1, angle); }
 
-        /// <summary>Lets a joint go, also one that the scene has locked.</summary>
+        /// <summary>Releases a joint, also one that the scene locked.</summary>
         public void Unlock(int joint) { Set(Quantity.JointLock, new[] { joint }, 0, LockOf(joint)[1]); }
 
-        /// <summary>The angle at which a joint is held; null if it is not.</summary>
+        /// <summary>The angle at which a joint is locked; null if it is free.</summary>
         public double? Locked(int joint)
         {
             var held = LockOf(joint);

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>How a world goes on: its task, its agents, its time steps, and where the time goes.</summary>
+    /// <summary>The world's task, agents, time steps and timing.</summary>
     public sealed partial class Env
     {
         /// <summary>Name of the task.</summary>
@@ -25,7 +25,7 @@ namespace Mimo
             return new AgentInfo(raw);
         }
 
-        /// <summary>Physics steps in a step.</summary>
+        /// <summary>Physics steps per step.</summary>
         public int FrameSkip
         {
             get
@@ -47,14 +47,15 @@ namespace Mimo
             }
         }
 
-        /// <summary>Bare physics: so many physics steps with the controls as they are, without senses or task.</summary>
+        /// <summary>Runs count physics steps with the current controls, without senses and task.</summary>
         public void StepPhysics(int count = 1)
         {
             MimoException.Check(Native.mimo_env_physics_step(Handle, Given.Index(count, "count")));
         }
 
-        /// <summary>One step of a movement that is known: FrameSkip x positions of all joints, at the end of each physics step.
-        /// The senses answer; gives FrameSkip x the forces that it takes, one for each degree of freedom, N or Nm.</summary>
+        /// <summary>Makes one step along a given movement. positions has FrameSkip x the positions of all joints, at
+        /// the end of each physics step. The observation is updated. Returns FrameSkip x the forces that the movement
+        /// takes, one per degree of freedom, N or Nm.</summary>
         public double[] Follow(double[] positions)
         {
             Given.Some(positions, "positions", "an array");
@@ -79,14 +80,15 @@ namespace Mimo
             return forces;
         }
 
-        /// <summary>Lets a body play samples, Pa at 1 m, from the next physics step on, after what it plays already; without
-        /// any it ends. The rate is Field.SampleRate of the ears.</summary>
+        /// <summary>Plays samples (Pa at 1 m) from a body, from the next physics step on and after the sound that it
+        /// already plays. An empty array ends the body's sound. The rate must be Field.SampleRate of the
+        /// ears.</summary>
         public void Play(string body, float[] samples, double rate)
         {
             MimoException.Check(Native.mimo_env_play(Handle, Utf8.Bytes(body), samples, Given.LengthOf(samples, "samples"), rate));
         }
 
-        /// <summary>Where the time of steps went since the last ResetTiming; all zero without EnvConfig.Timing.</summary>
+        /// <summary>The time spent in steps since the last ResetTiming; all 0 without EnvConfig.Timing.</summary>
         public Timing Timing
         {
             get
@@ -97,7 +99,7 @@ namespace Mimo
             }
         }
 
-        /// <summary>Starts counting anew.</summary>
+        /// <summary>Resets Timing to 0.</summary>
         public void ResetTiming() { MimoException.Check(Native.mimo_env_timing_reset(Handle)); }
     }
 }

@@ -6,13 +6,14 @@ using System.Text.RegularExpressions;
 
 namespace Mimo
 {
-    /// <summary>What the library complained about: one line that names the argument, its value and what was expected.</summary>
+    /// <summary>A call was refused or failed. The message is one line that names the argument, its value and what was
+    /// expected.</summary>
     public sealed class MimoException : Exception
     {
-        /// <summary>Why the call failed.</summary>
+        /// <summary>The reason.</summary>
         public Status Status { get; }
 
-        /// <summary>"MIMO_E_NOT_FOUND".</summary>
+        /// <summary>The reason's name in C, such as "MIMO_E_NOT_FOUND".</summary>
         public string StatusName { get; }
 
         internal MimoException(int status)
@@ -26,7 +27,8 @@ namespace Mimo
 
         private static readonly Regex function = new Regex(@"\bmimo_(scene|env|batch)_(?!config)(\w+)");
 
-        /// <summary>A message of the library's, with functions of C as they are called here: "MimoScene.AddAgents".</summary>
+        /// <summary>A message of the library in which C functions have their C# names, such as
+        /// "MimoScene.AddAgents".</summary>
         internal static string Named(string message)
         {
             return function.Replace(message, found =>
@@ -36,7 +38,8 @@ namespace Mimo
 
         private static string Capital(string word) { return word.Substring(0, 1).ToUpperInvariant() + word.Substring(1); }
 
-        /// <summary>To be called on the thread of the call, at once: the message is the thread's last.</summary>
+        /// <summary>Throws if a call failed. Call it at once and on the same thread, because the message is the
+        /// thread's last one.</summary>
         internal static void Check(int status)
         {
             Ending.Hold();
@@ -44,7 +47,7 @@ namespace Mimo
         }
     }
 
-    /// <summary>UTF-8 strings; netstandard2.0 has no marshalling of its own for them.</summary>
+    /// <summary>UTF-8 strings, which .NET Standard 2.0 does not marshal.</summary>
     internal static class Utf8
     {
         internal static string Of(IntPtr text)

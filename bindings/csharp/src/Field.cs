@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>One field of an observation block. What a step gives of it belongs to the time from Start to End.</summary>
+    /// <summary>One field of an observation block. Its values belong to the time from Start to End.</summary>
     public sealed class Field
     {
         private readonly LayoutHandle layout;
@@ -46,10 +46,11 @@ namespace Mimo
         /// <summary>Seconds from one new value to the next.</summary>
         public double Period { get; }
 
-        /// <summary>On how many receptors it reports, in the order of its first dimension; 0: it is not of skin.</summary>
+        /// <summary>Number of receptors, in the order of the first dimension; 0 if the field is not on the
+        /// skin.</summary>
         public int ReceptorCount { get; }
 
-        /// <summary>Of sound, samples a second, the oldest first; 0: it is no sound.</summary>
+        /// <summary>For sound: samples per second, the oldest first; 0 for other fields.</summary>
         public double SampleRate { get; }
 
         internal Field(LayoutHandle layout, UIntPtr index)
@@ -80,7 +81,7 @@ namespace Mimo
             return raw;
         }
 
-        /// <summary>Reads anew when it is true: infants of other ages are late by other times.</summary>
+        /// <summary>Updates Start and End: the delays of infants depend on their age.</summary>
         internal void Renew()
         {
             var raw = Raw();
@@ -95,8 +96,8 @@ namespace Mimo
             return sizes.Select(size => (int)size).ToArray();
         }
 
-        /// <summary>The joint, sensor or actuator that one element belongs to, by its position in the flattened field; "" in
-        /// pictures and touch.</summary>
+        /// <summary>The joint, sensor or actuator of one element of the flattened field; "" for pictures and
+        /// touch.</summary>
         public string Label(int element)
         {
             IntPtr label;
@@ -104,8 +105,8 @@ namespace Mimo
             return Utf8.Of(label);
         }
 
-        /// <summary>How late each element of the flattened field comes, seconds, 0 for what is sensed at once; in a batch as
-        /// world 0 was made.</summary>
+        /// <summary>Delay of each element of the flattened field, seconds; 0 for no delay. In a batch these are the
+        /// delays of world 0 when it was made.</summary>
         public double[] Delays()
         {
             var seconds = new double[Shape.Aggregate(1, (count, size) => count * size)];
@@ -113,8 +114,8 @@ namespace Mimo
             return seconds;
         }
 
-        /// <summary>Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of
-        /// each, height x width x 3, in its frame: x right, y up, z backwards.</summary>
+        /// <summary>The directions of a picture's pixels, foveated or not: height x width x 3, unit vectors from the
+        /// eye or camera through the middle of each pixel, in its frame (x right, y up, z backwards).</summary>
         public float[] Directions()
         {
             var directions = new float[Shape.Length < 2 ? 0 : Shape[0] * Shape[1] * 3];
@@ -122,7 +123,7 @@ namespace Mimo
             return directions;
         }
 
-        /// <summary>Where the receptors are: a quantity of all of them, one after the other.</summary>
+        /// <summary>A quantity of all receptors of the field, one receptor after the other.</summary>
         public double[] Receptors(Receptor quantity)
         {
             UIntPtr count;
@@ -132,7 +133,7 @@ namespace Mimo
             return values;
         }
 
-        /// <summary>Copies its elements out of a world's block that starts at a place of an array.</summary>
+        /// <summary>Copies the field out of the block that begins at an index of an array of blocks.</summary>
         internal void CopyTo<T>(T[] into, byte[] blocks, int start) where T : struct
         {
             var count = Bytes / ElementSize;

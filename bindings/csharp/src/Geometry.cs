@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>Three numbers: a place in metres, or what else is said where it is used.</summary>
+    /// <summary>Three numbers: a position in metres unless stated otherwise.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Vector3d
     {
@@ -13,7 +13,7 @@ namespace Mimo
         /// <summary>Component.</summary>
         public double Z;
 
-        /// <summary>Makes one of its components.</summary>
+        /// <summary>Makes it from its components.</summary>
         public Vector3d(double x, double y, double z) { X = x; Y = y; Z = z; }
     }
 
@@ -39,7 +39,7 @@ namespace Mimo
         }
     }
 
-    /// <summary>A rotation. In memory in the library's order: w x y z.</summary>
+    /// <summary>A rotation, in memory in the library's order w x y z.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Quaterniond
     {
@@ -52,7 +52,7 @@ namespace Mimo
         /// <summary>Component.</summary>
         public double Z;
 
-        /// <summary>Makes one of its components, w first.</summary>
+        /// <summary>Makes it from its components, w first.</summary>
         public Quaterniond(double w, double x, double y, double z) { W = w; X = x; Y = y; Z = z; }
     }
 
@@ -69,7 +69,7 @@ namespace Mimo
         /// <summary>Opacity.</summary>
         public double A;
 
-        /// <summary>Makes one of its components.</summary>
+        /// <summary>Makes it from its components.</summary>
         public Rgba(double r, double g, double b, double a) { R = r; G = g; B = b; A = a; }
     }
 }

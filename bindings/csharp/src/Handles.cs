@@ -4,15 +4,19 @@ using System.Threading;
 
 namespace Mimo
 {
-    /// <summary>Owns a mimo_scene, and a share of its log and its task.</summary>
-    internal sealed class SceneHandle : SafeHandle
+    /// <summary>A handle of the library.</summary>
+    internal abstract class LibraryHandle : SafeHandle
+    {
+        protected LibraryHandle() : base(IntPtr.Zero, true) { }
+
+        public override bool IsInvalid => handle == IntPtr.Zero;
+    }
+
+    /// <summary>Owns a mimo_scene and a share of its log and its task.</summary>
+    internal sealed class SceneHandle : LibraryHandle
     {
         internal Logging Log;
         internal Tasking Task;
-
-        internal SceneHandle() : base(IntPtr.Zero, true) { }
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
@@ -23,19 +27,19 @@ namespace Mimo
         }
     }
 
-    /// <summary>A mimo_env, and a share of what its log callback and its task need. Arrays that its steps write to stay in
-    /// place as long as there is this.</summary>
-    internal sealed class EnvHandle : SafeHandle
+    /// <summary>Owns or borrows a mimo_env and a share of its log and its task. Keeps the arrays pinned that its steps
+    /// write to.</summary>
+    internal sealed class EnvHandle : LibraryHandle
     {
         internal Logging Log;
         internal Tasking Task;
         internal readonly PinnedParts Kept = new PinnedParts();
         private readonly bool isLent;
 
-        // Of a world that belongs to a batch: alive as long as the handle is in use.
+        // The batch of a borrowed world; this reference keeps it alive.
         internal BatchHandle Owner { get; }
 
-        internal EnvHandle() : base(IntPtr.Zero, true) { }
+        internal EnvHandle() { }
 
         internal EnvHandle(IntPtr lent, BatchHandle owner) : this(lent)
         {
@@ -44,14 +48,12 @@ namespace Mimo
             Task = owner.Task;
         }
 
-        /// <summary>Of a world that a task is asked about: whoever asks keeps it alive.</summary>
-        internal EnvHandle(IntPtr lent) : base(IntPtr.Zero, true)
+        /// <summary>A world that a task is called with. The caller keeps it alive.</summary>
+        internal EnvHandle(IntPtr lent)
         {
             isLent = true;
             SetHandle(lent);
         }
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
@@ -68,19 +70,15 @@ namespace Mimo
         }
     }
 
-    /// <summary>Owns a mimo_batch and a share of what its log callback and its task need, and holds the arrays in place that its threads
-    /// use between two calls.</summary>
-    internal sealed class BatchHandle : SafeHandle, Ending.IEnds
+    /// <summary>Owns a mimo_batch and a share of its log and its task. Keeps the arrays pinned that its threads use
+    /// between two calls.</summary>
+    internal sealed class BatchHandle : LibraryHandle, Ending.IEnds
     {
         private volatile bool isGone;
         internal Logging Log;
         internal Tasking Task;
         internal readonly PinnedParts Kept = new PinnedParts();
         private Pinned sent;
-
-        internal BatchHandle() : base(IntPtr.Zero, true) { }
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
@@ -95,7 +93,8 @@ namespace Mimo
 
         public bool IsGone => isGone;
 
-        /// <summary>The actions of a step that was sent stay until the next is: the one before was received by then.</summary>
+        /// <summary>Keeps the actions of a sent step pinned until the next one is sent; by then the step was
+        /// received.</summary>
         internal void KeepSent(Pinned actions)
         {
             sent?.Dispose();
@@ -103,14 +102,10 @@ namespace Mimo
         }
     }
 
-    /// <summary>Owns a mimo_senses, and a share of its log.</summary>
-    internal sealed class SensesHandle : SafeHandle
+    /// <summary>Owns a mimo_senses and a share of its log.</summary>
+    internal sealed class SensesHandle : LibraryHandle
     {
         internal Logging Log;
-
-        internal SensesHandle() : base(IntPtr.Zero, true) { }
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
@@ -121,20 +116,16 @@ namespace Mimo
     }
 
     /// <summary>Owns a mimo_recorder.</summary>
-    internal sealed class RecorderHandle : SafeHandle, Ending.IEnds
+    internal sealed class RecorderHandle : LibraryHandle, Ending.IEnds
     {
         private volatile bool isGone;
 
-        internal RecorderHandle() : base(IntPtr.Zero, true) { }
-
-        // Alive as long as this is: it would be closed by its world otherwise, on the thread of the collector.
+        // Keeps the world alive, which would otherwise close the recorder on the collector's thread.
         internal EnvHandle World;
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle()
         {
-            // Within a step of another thread the library would leave it open.
+            // While another thread steps the world, the library refuses to close the recorder.
             for (var wait = 0; Native.mimo_recorder_close(handle) == (int)Status.Busy && wait < 1000; ++wait) Thread.Sleep(1);
             isGone = true;
             return true;
@@ -144,12 +135,8 @@ namespace Mimo
     }
 
     /// <summary>Owns a mimo_recording.</summary>
-    internal sealed class RecordingHandle : SafeHandle
+    internal sealed class RecordingHandle : LibraryHandle
     {
-        internal RecordingHandle() : base(IntPtr.Zero, true) { }
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
-
         protected override bool ReleaseHandle()
         {
             Native.mimo_recording_destroy(handle);
@@ -157,18 +144,16 @@ namespace Mimo
         }
     }
 
-    /// <summary>The mimo_layout of a world, a batch or senses, which are alive as long as it is in use.</summary>
-    internal sealed class LayoutHandle : SafeHandle
+    /// <summary>Borrows the mimo_layout of a world, a batch or senses, and keeps its owner alive.</summary>
+    internal sealed class LayoutHandle : LibraryHandle
     {
         internal SafeHandle Owner { get; }
 
-        internal LayoutHandle(IntPtr lent, SafeHandle owner) : base(IntPtr.Zero, false)
+        internal LayoutHandle(IntPtr lent, SafeHandle owner)
         {
             Owner = owner;
             SetHandle(lent);
         }
-
-        public override bool IsInvalid => handle == IntPtr.Zero;
 
         protected override bool ReleaseHandle() { return true; }
     }

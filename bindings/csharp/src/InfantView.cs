@@ -3,24 +3,24 @@ using System.Collections.Generic;
 
 namespace Mimo
 {
-    /// <summary>What an engine makes of a world: one object for each geom that is to be seen. The engine's own classes stay out of
-    /// it: give it a drawer, call Build once and Update after steps.</summary>
+    /// <summary>Makes and updates an engine's object for each visible geom of a world. Implement it with the engine's
+    /// own classes, pass it to an InfantView, call Build once and Update after steps.</summary>
     public interface IDrawer
     {
-        /// <summary>A texture that appearances will name by its id.</summary>
+        /// <summary>Adds a texture. Appearances refer to it by its id.</summary>
         void AddTexture(int id, MimoTexture texture);
 
-        /// <summary>A geom, with the name that it has in the model, and of its body; again after its shape has changed.</summary>
+        /// <summary>Adds a geom with its name in the model and its body's name, or changes its shape.</summary>
         void SetMesh(int geom, string name, string body, MimoMesh mesh);
 
-        /// <summary>How it looks; again after that has changed. Invisible ones are to be hidden.</summary>
+        /// <summary>Sets a geom's appearance. Invisible geoms must be hidden.</summary>
         void SetAppearance(int geom, Appearance appearance);
 
-        /// <summary>Where it is.</summary>
+        /// <summary>Moves a geom.</summary>
         void SetPose(int geom, float x, float y, float z, float qx, float qy, float qz, float qw);
     }
 
-    /// <summary>Keeps an engine's objects as the world's geoms are.</summary>
+    /// <summary>Keeps an engine's objects in step with the geoms of a world.</summary>
     public sealed class InfantView
     {
         private readonly Env env;
@@ -31,10 +31,11 @@ namespace Mimo
         private readonly Appearance[] shown;
         private readonly HashSet<int> textures = new HashSet<int>();
 
-        /// <summary>For a world, a drawer, and the engine's frame: Axes.Unity, Unreal, Godot or Gltf.</summary>
+        /// <summary>Makes a view of a world for a drawer and an engine's frame: Axes.Unity, Unreal, Godot or
+        /// Gltf.</summary>
         public InfantView(Env env, IDrawer drawer, Axes axes = Axes.Unity, int segments = 24)
         {
-            if (axes == Axes.Mimo) throw new ArgumentException("axes is Mimo, expected an engine's", nameof(axes));
+            if (axes == Axes.Mimo) throw new ArgumentException("axes is Mimo, expected an engine's frame", nameof(axes));
             this.env = Given.Some(env, "env", "an Env");
             this.drawer = Given.Some(drawer, "drawer", "an IDrawer");
             this.axes = axes;
@@ -44,8 +45,8 @@ namespace Mimo
             shown = new Appearance[count];
         }
 
-        /// <summary>Hands over all meshes, appearances and poses: at the start, and after geoms were given another size or infants
-        /// another age.</summary>
+        /// <summary>Passes all meshes, appearances and poses to the drawer. Call it at the start and after sizes of
+        /// geoms or ages of infants have changed.</summary>
         public void Build()
         {
             for (var geom = 0; geom < shown.Length; ++geom)
@@ -57,7 +58,7 @@ namespace Mimo
             Update();
         }
 
-        /// <summary>Moves all that is to be seen to where it is now. Allocates nothing.</summary>
+        /// <summary>Moves all visible geoms to their current poses. Allocates nothing.</summary>
         public void Update()
         {
             env.Poses(Kind.Geom, axes, poses);
@@ -70,7 +71,7 @@ namespace Mimo
             }
         }
 
-        /// <summary>Hands over appearances that have changed: another face, another colour.</summary>
+        /// <summary>Passes changed appearances to the drawer, for example after a change of face or colour.</summary>
         public void UpdateMaterials()
         {
             for (var geom = 0; geom < shown.Length; ++geom)

@@ -5,8 +5,8 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>What a world, a batch or attached senses observe, act with and are rewarded for; of a batch, what each of
-    /// its worlds does. It never changes, but for when fields are true where a reset makes infants older.</summary>
+    /// <summary>The observations, actions and reward terms of a world, of attached senses, or of each world of a batch.
+    /// It never changes, except Field.Start and Field.End after a reset to another age.</summary>
     public sealed class Layout
     {
         private readonly LayoutHandle handle;
@@ -23,7 +23,7 @@ namespace Mimo
         /// <summary>The actions of all agents.</summary>
         public IReadOnlyList<MimoAction> Actions { get; }
 
-        /// <summary>What rewards consist of, of all agents; in the order of Env.Terms.</summary>
+        /// <summary>The reward terms of all agents, in the order of Env.Terms.</summary>
         public IReadOnlyList<Term> Terms { get; }
 
         internal delegate int LayoutCall(out IntPtr layout);
@@ -66,7 +66,7 @@ namespace Mimo
             return Enumerable.Range(0, (int)count).Select(index => byIndex((UIntPtr)(uint)index)).ToArray();
         }
 
-        /// <summary>A field by its name.</summary>
+        /// <summary>The field with that name.</summary>
         public Field Find(string name)
         {
             UIntPtr index;
@@ -74,7 +74,7 @@ namespace Mimo
             return Fields[(int)index];
         }
 
-        /// <summary>Where a term of an agent's reward stands in Terms, and so in Env.Terms.</summary>
+        /// <summary>The index of an agent's reward term in Terms and Env.Terms.</summary>
         public int FindTerm(string name, int agent = 0)
         {
             for (var i = 0; i < Terms.Count; ++i)

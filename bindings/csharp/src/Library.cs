@@ -2,18 +2,18 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>The native library that the system found.</summary>
+    /// <summary>The native library that was loaded.</summary>
     public static class Library
     {
         private static bool isGood;
 
-        /// <summary>Its version, "major.minor.patch".</summary>
+        /// <summary>Its version, such as "1.2.3".</summary>
         public static string Version => Text(Native.mimo_version);
 
-        /// <summary>Version of the MuJoCo that it runs on, "2.2.2".</summary>
+        /// <summary>Version of the MuJoCo that it uses, such as "2.2.2".</summary>
         public static string MuJoCoVersion => Text(Native.mimo_mujoco_version);
 
-        /// <summary>Version of the interface that it declares, 1002 for 1.2.</summary>
+        /// <summary>Version of its interface, 1002 for 1.2.</summary>
         public static uint ApiVersion
         {
             get
@@ -23,8 +23,8 @@ namespace Mimo
             }
         }
 
-        /// <summary>Whether it knows a name of the C interface: a function ("mimo_env_step"), a constant ("MIMO_BODY_MASS"), a
-        /// struct ("mimo_field") or a member of one ("mimo_field.period").</summary>
+        /// <summary>Whether it knows a name of the C interface: a function ("mimo_env_step"), a constant
+        /// ("MIMO_BODY_MASS"), a struct ("mimo_field") or a member of one ("mimo_field.period").</summary>
         public static bool Supports(string name)
         {
             Require();
@@ -37,15 +37,16 @@ namespace Mimo
             return Utf8.Of(text());
         }
 
-        /// <summary>What makes the first handles asks this before: without it a missing library is a word of the runtime's, and
-        /// one that is too new or too old does anything.</summary>
+        /// <summary>Checks that the library can be used. Everything that can be called first calls it: otherwise a
+        /// missing library would give an exception of the runtime, and a library of another ABI would have undefined
+        /// behaviour.</summary>
         internal static void Require()
         {
             if (isGood) return;
             var found = AbiFound();
             if (found != Constants.AbiVersion)
                 throw Unusable("libmimo " + Utf8.Of(Native.mimo_version()) + " has ABI version " + found +
-                    ", expected " + Constants.AbiVersion + ": take these sources and the library from the same release");
+                    ", expected " + Constants.AbiVersion + ": use sources and a library of the same release");
             isGood = true;
         }
 
@@ -57,16 +58,16 @@ namespace Mimo
             }
             catch (DllNotFoundException)
             {
-                throw Unusable("libmimo was not found, or not the MuJoCo that came with it: put both libraries beside the program, " +
-                    "in Unity into Assets/Plugins/x86_64, or on Linux their folders into LD_LIBRARY_PATH");
+                throw Unusable("libmimo was not found, or the MuJoCo library that came with it: put both libraries beside the program, " +
+                    "in Unity into Assets/Plugins/x86_64, or on Linux add their folders to LD_LIBRARY_PATH");
             }
         }
 
         /// <summary>The error of a call of a function that the loaded library does not have.</summary>
         internal static MimoException Lacks(string function)
         {
-            if (!isGood || function == "mimo_version") return Unusable("the library that was found under the name of libmimo has no " + function + ": it is another library");
-            return Unusable("libmimo " + Utf8.Of(Native.mimo_version()) + " has no " + function + ", which these sources know: take a newer library");
+            if (!isGood || function == "mimo_version") return Unusable("the library that was found as libmimo has no " + function + ": it is another library");
+            return Unusable("libmimo " + Utf8.Of(Native.mimo_version()) + " has no " + function + ", which these sources know: use a newer library");
         }
 
         private static MimoException Unusable(string message) { return new MimoException(Status.Unsupported, "MIMO_E_UNSUPPORTED", message); }

@@ -24,7 +24,7 @@ namespace Mimo
         public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_face_name);
     }
 
-    /// <summary>What things may be made of.</summary>
+    /// <summary>The materials of things.</summary>
     public static class Materials
     {
         /// <summary>Their names, for MimoScene.SetMaterial: "copper", "hardwood", ...</summary>
@@ -37,7 +37,7 @@ namespace Mimo
         /// <summary>Their names, for EnvConfig.Task: "none", "reach", ...</summary>
         public static IReadOnlyList<string> Names => Listed.Of(Native.mimo_task_name);
 
-        /// <summary>The numbers by which they can be changed, with MimoScene.SetParameter.</summary>
+        /// <summary>The parameters of all tasks, for MimoScene.SetParameter.</summary>
         public static IReadOnlyList<Parameter> Parameters
         {
             get
@@ -59,7 +59,7 @@ namespace Mimo
 
     internal static class Listed
     {
-        /// <summary>Names by their number, up to the first that there is not.</summary>
+        /// <summary>The names with index 0, 1, ..., up to the first missing one.</summary>
         internal static IReadOnlyList<string> Of(Func<UIntPtr, IntPtr> byIndex)
         {
             Library.Require();

@@ -3,10 +3,11 @@ using System.Runtime.InteropServices;
 using System.Threading;
 using Mimo.Callbacks;
 
-// Apart from Mimo: Unity has an attribute of this name too, and a script may use both namespaces.
+// In a namespace of its own: Unity has an attribute of this name, too, and a script may use both namespaces.
 namespace Mimo.Callbacks
 {
-    /// <summary>Marks a static method that native code calls; Unity's IL2CPP looks for an attribute of this name.</summary>
+    /// <summary>Marks a static method that native code calls; Unity's IL2CPP looks for an attribute of this
+    /// name.</summary>
     [AttributeUsage(AttributeTargets.Method)]
     internal sealed class MonoPInvokeCallbackAttribute : Attribute
     {
@@ -16,11 +17,36 @@ namespace Mimo.Callbacks
 
 namespace Mimo
 {
-    /// <summary>The way of a message from the library to a user's delegate, which it keeps alive. Worlds and their clones
-    /// share it; the last one that is destroyed lets it go.</summary>
+    /// <summary>A message of the library.</summary>
+    public struct LogRecord
+    {
+        /// <summary>How much the message matters.</summary>
+        public LogLevel Level;
+        /// <summary>The warning of physics; null for other messages.</summary>
+        public WarningCode? Code;
+        /// <summary>The message, one line.</summary>
+        public string Text;
+        /// <summary>The index in its batch of the world whose physics warns, 0 for a single world; null for messages of
+        /// scenes, models and renderers.</summary>
+        public int? World;
+        /// <summary>Simulated seconds since the world's reset.</summary>
+        public double Time;
+
+        internal static LogRecord Of(ref LogRecordStruct raw)
+        {
+            return new LogRecord
+            {
+                Level = (LogLevel)raw.level, Code = raw.code != 0 ? (WarningCode)raw.code : (WarningCode?)null, Text = MimoException.Named(Utf8.Of(raw.text)),
+                World = raw.in_world != 0 ? (int)raw.world : (int?)null, Time = raw.time
+            };
+        }
+    }
+
+    /// <summary>Passes messages of the library to a user's delegate, which it keeps alive. A world and its clones share
+    /// it; the last one that is destroyed releases it.</summary>
     internal sealed class Logging
     {
-        // In a static field, so that the collector never takes what the library may still call.
+        // A static field keeps the delegate alive as long as the library may call it.
         private static readonly Native.LogFunction forward = Forward;
 
         private readonly GCHandle kept;
@@ -28,7 +54,7 @@ namespace Mimo
 
         private Logging(Action<LogRecord> log) { kept = GCHandle.Alloc(log); }
 
-        /// <summary>Gives what a config needs; null when there is nothing to be told to.</summary>
+        /// <summary>Sets the members of a config. Returns null if there is no delegate.</summary>
         internal static Logging Tell(Action<LogRecord> log, out IntPtr function, out IntPtr user)
         {
             function = user = IntPtr.Zero;
@@ -39,7 +65,7 @@ namespace Mimo
             return logging;
         }
 
-        /// <summary>Checks the status of making something that was given a log; what is not made lets it go.</summary>
+        /// <summary>Checks the status of a call that took a log, and releases the log if the call failed.</summary>
         internal static void CheckTold(int status, Logging log)
         {
             if (status != 0) log?.Release();

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Mimo
 {
-    /// <summary>A room, objects and infants. Worlds that were made of it live on without it.</summary>
+    /// <summary>A description of a room, objects and infants. Worlds made from it do not need it afterwards.</summary>
     public sealed class MimoScene : IDisposable
     {
         private readonly SceneHandle owned;
@@ -16,22 +16,22 @@ namespace Mimo
             owned = (config ?? new SceneConfig()).Make(name, file, xml);
         }
 
-        /// <summary>An empty world.</summary>
+        /// <summary>Makes an empty scene.</summary>
         public static MimoScene Empty(SceneConfig config = null) { return new MimoScene(config); }
 
-        /// <summary>A built-in scene, one of Scenes.Names: "reach", "benchmark", ...</summary>
+        /// <summary>Loads a built-in scene, one of Scenes.Names: "reach", "benchmark", ...</summary>
         public static MimoScene Builtin(string name, SceneConfig config = null)
         {
-            return new MimoScene(config, name: Given.Text(name, "name", "that of a built-in scene, one of Scenes.Names"));
+            return new MimoScene(config, name: Given.Text(name, "name", "the name of a built-in scene, one of Scenes.Names"));
         }
 
-        /// <summary>An MJCF file.</summary>
+        /// <summary>Loads an MJCF file.</summary>
         public static MimoScene FromFile(string path, SceneConfig config = null)
         {
-            return new MimoScene(config, file: Given.Text(path, "path", "that of an MJCF file"));
+            return new MimoScene(config, file: Given.Text(path, "path", "the path of an MJCF file"));
         }
 
-        /// <summary>MJCF text.</summary>
+        /// <summary>Loads MJCF text.</summary>
         public static MimoScene FromXml(string xml, SceneConfig config = null)
         {
             return new MimoScene(config, xml: Given.Text(xml, "xml", "MJCF text"));
@@ -57,8 +57,9 @@ namespace Mimo
             }
         }
 
-        /// <summary>Adds all infants that the scene names, each at a place of its own, or a single one where the scene names
-        /// none. Returns how many were added. config.Name and the places in it do not count.</summary>
+        /// <summary>Adds all infants that the scene names, each at its own place, or a single infant if it names none.
+        /// Returns their number. The config applies to all of them; its Name is only for scenes that name none, its
+        /// place only for a single infant.</summary>
         public int AddAgents(AgentConfig config)
         {
             using (var parts = new PinnedParts())
@@ -70,11 +71,11 @@ namespace Mimo
             }
         }
 
-        /// <summary>Gives a scene that has none a room, one of Rooms.Names: "playroom".</summary>
+        /// <summary>Adds a room, one of Rooms.Names ("playroom"), to a scene without one.</summary>
         public void SetRoom(string name) { MimoException.Check(Native.mimo_scene_set_room(Handle, Utf8.Bytes(name))); }
 
-        /// <summary>Adds an MJCF document with one body as an object: a file, or a text. All its names get its name and '/'
-        /// before them.</summary>
+        /// <summary>Adds an MJCF document with one body as an object, from a file or from text. All names in it get the
+        /// object's name and '/' as a prefix.</summary>
         public void AddModel(string name, Vector3d position, string file = null, string xml = null, bool isFixed = false)
         {
             using (var parts = new PinnedParts())
@@ -89,51 +90,51 @@ namespace Mimo
             }
         }
 
-        /// <summary>Fastens a body softly to another one, null: to the world, as they are to each other where the scene
-        /// starts.</summary>
+        /// <summary>Fastens a body softly to another body, or to the world with null, in their relative pose at the
+        /// scene's start.</summary>
         public void Weld(string body, string other = null)
         {
             MimoException.Check(Native.mimo_scene_weld(Handle, Utf8.Bytes(body), Utf8.Bytes(other), null));
         }
 
-        /// <summary>Holds a hinge or slide softly, and starts it there, rad or m.</summary>
+        /// <summary>Holds a hinge or slide softly at a position, rad or m, and starts it there.</summary>
         public void Lock(string joint, double value)
         {
             MimoException.Check(Native.mimo_scene_lock(Handle, Utf8.Bytes(joint), value));
         }
 
-        /// <summary>Sets where a hinge or slide starts, rad or m.</summary>
+        /// <summary>Sets the start position of a hinge or slide, rad or m.</summary>
         public void SetPose(string joint, double value)
         {
             MimoException.Check(Native.mimo_scene_set_pose(Handle, Utf8.Bytes(joint), value));
         }
 
-        /// <summary>How many bodies can play at once, 4 unless this is called, and for how long sounds can wait at each, 4 s.</summary>
+        /// <summary>Sets how many bodies can play sounds at once (default 4), and how many seconds of sound each can
+        /// queue (default 4).</summary>
         public void SetSources(int count, double seconds)
         {
             MimoException.Check(Native.mimo_scene_set_sources(Handle, Given.Index(count, "count"), seconds));
         }
 
-        /// <summary>From where a body plays and whereto, in its frame: 0 alike to all sides, 0.5 a cardioid, 1 a figure of eight.</summary>
-        public void DirectSource(string body, double[] place, double[] axis, double directivity)
+        /// <summary>Sets the position and axis of a body's sound source, in the body's frame. directivity: 0 in all
+        /// directions alike, 0.5 a cardioid, 1 a figure of eight.</summary>
+        public void DirectSource(string body, Vector3d place, Vector3d axis, double directivity)
         {
-            if (place == null || place.Length != 3) throw new ArgumentException("expected 3 numbers", nameof(place));
-            if (axis == null || axis.Length != 3) throw new ArgumentException("expected 3 numbers", nameof(axis));
-            MimoException.Check(Native.mimo_scene_direct_source(Handle, Utf8.Bytes(body), place, axis, directivity));
+            MimoException.Check(Native.mimo_scene_direct_source(Handle, Utf8.Bytes(body), ref place, ref axis, directivity));
         }
 
-        /// <summary>The scene as one MJCF document, as MuJoCo will compile it.</summary>
+        /// <summary>The scene as one MJCF document, as MuJoCo compiles it.</summary>
         public string ToXml()
         {
             UIntPtr length;
             MimoException.Check(Native.mimo_scene_xml(Handle, null, UIntPtr.Zero, out length));
-            var text = new byte[(int)length + 1]; // and a zero
+            var text = new byte[(int)length + 1]; // with the terminating zero
             MimoException.Check(Native.mimo_scene_xml(Handle, text, (UIntPtr)text.Length, out length));
             return Encoding.UTF8.GetString(text, 0, (int)length);
         }
 
-        /// <summary>Writes the scene as scene.xml, with its textures and meshes in assets, for any program with MuJoCo.
-        /// The folder is made where it is not there; files that are there with other content are not overwritten.</summary>
+        /// <summary>Writes the scene as scene.xml with its textures and meshes in assets, for any program with MuJoCo.
+        /// Makes the folder if it does not exist. Existing files with other content are not overwritten.</summary>
         public void Save(string folder)
         {
             MimoException.Check(Native.mimo_scene_save(Handle, Utf8.Bytes(folder)));
@@ -149,7 +150,7 @@ namespace Mimo
             }
         }
 
-        /// <summary>Has a camera observed; its fields come after those of all infants.</summary>
+        /// <summary>Adds a camera's pictures to the observation. Their fields come after those of all agents.</summary>
         public void AddCamera(CameraConfig config)
         {
             using (var parts = new PinnedParts())
@@ -159,10 +160,10 @@ namespace Mimo
             }
         }
 
-        /// <summary>Has a quantity of parts of the scene observed, as a field of floats after those of all infants and cameras:
-        /// "toys/position". Elements are names of bodies, joints, sites, sensors..., of agents "" for a sole one; null for the
-        /// world's own. Positions, orientations, poses and velocities are relative to a body and move along with it; null: to
-        /// the world.</summary>
+        /// <summary>Adds a quantity to the observation, as a field of floats after those of all agents and cameras, for
+        /// example "toys/position". elements are names of bodies, joints, sites, sensors, ... or of agents ("" for a
+        /// single one); null for quantities of the world. Positions, orientations, poses and velocities are in the
+        /// frame of the body relativeTo, or in the world's with null.</summary>
         public void AddField(string name, Quantity quantity, string[] elements, string relativeTo = null)
         {
             using (var parts = new PinnedParts())
@@ -177,15 +178,17 @@ namespace Mimo
             }
         }
 
-        /// <summary>Has an agent's proprioception read this hinge or slide; the first call takes away all others.</summary>
+        /// <summary>Makes an agent's proprioception read this hinge or slide. The first call removes all other
+        /// joints.</summary>
         public void ReadJoint(string joint, int agent = 0)
         {
             MimoException.Check(Native.mimo_scene_read_joint(Handle, Given.Index(agent, "agent"), Utf8.Bytes(joint)));
         }
 
-        /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left"), for worlds made from now on: a factor,
-        /// Gaussian noise of that standard deviation in the field's unit, a delay in seconds; pictures keep half the contrast
-        /// of lines of blur cycles per degree; signalNoise is the deviation of further noise as a share of the value.</summary>
+        /// <summary>Limits a sense of an agent ("touch") or a field ("vision/eye_left") in worlds made from now on.
+        /// gain is a factor, noise the standard deviation of Gaussian noise in the field's unit, delay in seconds.
+        /// blur: lines of that many cycles per degree keep half their contrast. signalNoise is the standard deviation
+        /// of further noise as a share of the value.</summary>
         public void LimitSense(string path, double gain = 1, double noise = 0, double delay = 0, double blur = 0, int agent = 0,
             double signalNoise = 0)
         {
@@ -194,10 +197,10 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_limit_sense(Handle, Given.Index(agent, "agent"), Utf8.Bytes(path), ref limits));
         }
 
-        /// <summary>Limits the way of an agent's actions to a motor ("act:left_elbow"), to those of a part of its body
-        /// ("left_arm"), or, with "", to all, for worlds made from now on: a factor, Gaussian noise of that standard deviation
-        /// in the action's unit, a delay in seconds; signalNoise is the deviation of further noise as a share of the
-        /// action.</summary>
+        /// <summary>Limits an agent's actions in worlds made from now on: those of a motor ("act:left_elbow"), of a
+        /// part of the body ("left_arm"), or all with "". gain is a factor, noise the standard deviation of Gaussian
+        /// noise in the action's unit, delay in seconds. signalNoise is the standard deviation of further noise as a
+        /// share of the action.</summary>
         public void LimitMotor(string path, double gain = 1, double noise = 0, double delay = 0, int agent = 0,
             double signalNoise = 0)
         {
@@ -205,8 +208,8 @@ namespace Mimo
             MimoException.Check(Native.mimo_scene_limit_motor(Handle, Given.Index(agent, "agent"), Utf8.Bytes(path), ref limits));
         }
 
-        /// <summary>Gives an agent such eyes and nerves, for worlds made from now on; null: as its growth says. Limits take
-        /// the place of these delays.</summary>
+        /// <summary>Sets the maturity of an agent's eyes and nerves in worlds made from now on; null uses its growth.
+        /// LimitSense and LimitMotor override these delays.</summary>
         public void SetMaturity(Maturity maturity, int agent = 0)
         {
             using (var parts = new PinnedParts())
@@ -216,8 +219,8 @@ namespace Mimo
             }
         }
 
-        /// <summary>Sets how late an agent feels a part of its body ("left_hand"), by touch and by its joints, seconds; a body
-        /// of null: all of it. It counts instead of what follows from its age.</summary>
+        /// <summary>Sets the delay, seconds, with which an agent feels a part of its body ("left_hand") by touch and
+        /// joints; null sets it for the whole body. It overrides the delay of its age.</summary>
         public void SetSensoryDelay(string body, double seconds, int agent = 0)
         {
             MimoException.Check(Native.mimo_scene_set_sensory_delay(Handle, Given.Index(agent, "agent"), Utf8.Bytes(body), seconds));
@@ -233,33 +236,34 @@ namespace Mimo
             return limits;
         }
 
-        /// <summary>Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there; a body of
-        /// null: everywhere.</summary>
+        /// <summary>Sets the spacing of the touch sensors of a body ("left_hand"), metres; 0: no skin. null sets it for
+        /// all bodies.</summary>
         public void SetTouch(int agent, string body, double spacing)
         {
             MimoException.Check(Native.mimo_scene_set_touch(Handle, Given.Index(agent, "agent"), Utf8.Bytes(body), spacing));
         }
 
-        /// <summary>Sets how warm the room is, -40 to 80 degrees Celsius: its air, and all that has no temperature of its
-        /// own. Infants are as warm as skin in it.</summary>
+        /// <summary>Sets the temperature of the room, -40 to 80 degrees Celsius: of the air and of all things without a
+        /// temperature of their own. Infants get the skin temperature of that room.</summary>
         public void SetRoomTemperature(double celsius)
         {
             MimoException.Check(Native.mimo_scene_set_room_temperature(Handle, celsius));
         }
 
-        /// <summary>Sets how warm a body of the model is, "cup", with all that hangs on it, degrees Celsius; it stays so.</summary>
+        /// <summary>Sets the temperature of a body ("cup") and its child bodies, degrees Celsius. It is constant;
+        /// contact does not change it.</summary>
         public void SetTemperature(string body, double celsius)
         {
             MimoException.Check(Native.mimo_scene_set_temperature(Handle, Utf8.Bytes(body), celsius));
         }
 
-        /// <summary>Sets what a body of the model is made of, with all that hangs on it: one of Materials.Names.</summary>
+        /// <summary>Sets the material of a body and its child bodies, one of Materials.Names.</summary>
         public void SetMaterial(string body, string material)
         {
             MimoException.Check(Native.mimo_scene_set_material(Handle, Utf8.Bytes(body), Utf8.Bytes(material)));
         }
 
-        /// <summary>Gives worlds made from now on a task of your own in place of the scene's; null takes it away.</summary>
+        /// <summary>Sets a custom task in place of the scene's, for worlds made from now on; null removes it.</summary>
         public void SetTask(MimoTask task)
         {
             var before = Handle.Task;
@@ -267,13 +271,14 @@ namespace Mimo
             before?.Release();
         }
 
-        /// <summary>Sets a parameter, one of Tasks.Parameters, "reach/success_reward", for worlds made from now on.</summary>
+        /// <summary>Sets a task's parameter, one of Tasks.Parameters ("reach/success_reward"), for worlds made from now
+        /// on.</summary>
         public void SetParameter(string name, double value)
         {
             MimoException.Check(Native.mimo_scene_set_parameter(Handle, Utf8.Bytes(name), value));
         }
 
-        /// <summary>The value that a parameter has in this scene.</summary>
+        /// <summary>The value of a parameter in this scene.</summary>
         public double GetParameter(string name)
         {
             double value;
@@ -281,7 +286,7 @@ namespace Mimo
             return value;
         }
 
-        /// <summary>Frees the scene.</summary>
+        /// <summary>Destroys the scene.</summary>
         public void Dispose() { owned.Dispose(); }
     }
 }

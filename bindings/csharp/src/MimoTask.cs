@@ -4,24 +4,24 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>A field of the observation that a task fills, of floats: a goal, and what has been reached of it. Each infant
-    /// has one of its own.</summary>
+    /// <summary>A field of floats in the observation that a task fills, such as a goal and what has been reached of it.
+    /// Each agent has its own.</summary>
     public sealed class TaskField
     {
-        /// <summary>"goal"; no other field of the infant has it.</summary>
+        /// <summary>Name, such as "goal"; unique among the agent's fields.</summary>
         public string Name;
-        /// <summary>Dimensions, C order; none: one number.</summary>
+        /// <summary>Dimensions, C order; empty: a single number.</summary>
         public int[] Shape = new int[0];
-        /// <summary>"m"; null for none.</summary>
+        /// <summary>Unit, such as "m"; null: none.</summary>
         public string Unit;
-        /// <summary>Frame of reference, "world"; null for none.</summary>
+        /// <summary>Frame of reference, such as "world"; null: none.</summary>
         public string Frame;
         /// <summary>Smallest allowed value.</summary>
         public double Low = double.NegativeInfinity;
         /// <summary>Largest allowed value.</summary>
         public double High = double.PositiveInfinity;
 
-        /// <summary>A field without unit, frame and bounds.</summary>
+        /// <summary>Makes a field without unit, frame and bounds.</summary>
         public TaskField(string name, params int[] shape)
         {
             Name = name;
@@ -29,34 +29,35 @@ namespace Mimo
         }
     }
 
-    /// <summary>What a task is told: of whom it is asked, and what happened. Good until its method returns.</summary>
+    /// <summary>The agent that a task is asked about, and its step. Valid until the method returns.</summary>
     public sealed class TaskMoment
     {
         private IntPtr block;
         private int blockBytes;
 
-        /// <summary>Number of the world in its batch; 0 for a single one.</summary>
+        /// <summary>Index of the world in its batch; 0 for a single world.</summary>
         public int World { get; private set; }
 
-        /// <summary>Number of the infant.</summary>
+        /// <summary>Index of the agent.</summary>
         public int Agent { get; private set; }
 
-        /// <summary>Steps since the reset, with this one; 0 in a reset.</summary>
+        /// <summary>Steps since the reset, including this one; 0 in Reset.</summary>
         public long Step { get; private set; }
 
-        /// <summary>As many numbers as MimoTask.Memory asks for, of this world and infant. They are 0 at the start of an
-        /// episode, and part of the world's state.</summary>
+        /// <summary>The task's memory for this world and agent, of MimoTask.Memory numbers. It is 0 at the start of an
+        /// episode and part of the world's state.</summary>
         public double[] Memory { get; }
 
-        /// <summary>Values of MimoTask.Fields, one field after the other. They are 0 at the start of an episode, then as last
-        /// left, and part of the world's state.</summary>
+        /// <summary>Values of MimoTask.Fields, one field after the other. They are 0 at the start of an episode, keep
+        /// their last values, and are part of the world's state.</summary>
         public float[] Fields { get; }
 
-        /// <summary>The infant's own actions of this step, within their bounds; null where the step was given none, and in a
-        /// reset.</summary>
+        /// <summary>The agent's actions of this step, within their bounds; null in Reset and in a step without
+        /// actions.</summary>
         public float[] Action { get; private set; }
 
-        /// <summary>Whether there is an observation of this step: not where nobody asks for one, nor in a reset.</summary>
+        /// <summary>Whether this step has an observation: false in Reset, and if the caller of the step does not ask
+        /// for one.</summary>
         public bool IsObserved => block != IntPtr.Zero;
 
         internal TaskMoment(int memory, int fields)
@@ -65,8 +66,8 @@ namespace Mimo
             Fields = new float[fields];
         }
 
-        /// <summary>Copies a field (Layout.Find) out of the observation of this step. Fields of tasks are still those of the
-        /// step before.</summary>
+        /// <summary>Copies a field (Layout.Find) out of this step's observation. Fields of custom tasks still have the
+        /// values of the step before.</summary>
         public void Read(Field field, float[] into) { Marshal.Copy(At(field, FieldType.F32, into, 4), into, 0, field.Bytes / 4); }
 
         /// <summary>The same for a colour picture.</summary>
@@ -74,7 +75,7 @@ namespace Mimo
 
         private IntPtr At(Field field, FieldType type, Array into, int size)
         {
-            if (!IsObserved) throw new InvalidOperationException("there is no observation of this step");
+            if (!IsObserved) throw new InvalidOperationException("this step has no observation, see TaskMoment.IsObserved");
             if (Given.Some(field, "field", "one of Layout.Fields").Offset + field.Bytes > blockBytes)
                 throw Given.Refusal(field.Name + " is a field of another world");
             if (into == null || field.Type != type || into.Length * size < field.Bytes)
@@ -103,10 +104,10 @@ namespace Mimo
         }
     }
 
-    /// <summary>What a task says of a step. Nothing is said at first: no reward, and the episode goes on.</summary>
+    /// <summary>A task's verdict on a step. By default the reward is 0 and the episode continues.</summary>
     public sealed class TaskVerdict
     {
-        /// <summary>The reward of a task without terms; of one with terms it stays 0, for the reward is their sum.</summary>
+        /// <summary>The reward of a task without terms. With terms leave it 0: the reward is their sum.</summary>
         public double Reward;
         /// <summary>One for each of MimoTask.Terms.</summary>
         public readonly double[] Terms;
@@ -137,26 +138,27 @@ namespace Mimo
         }
     }
 
-    /// <summary>A task of one's own, for MimoScene.SetTask: it runs inside Reset and Step. The worlds of a batch call it at
-    /// the same time, on different threads. What it throws is caught; the call that ran it then throws, and quotes
-    /// it.</summary>
+    /// <summary>A custom task for MimoScene.SetTask, which runs inside Reset and Step. The worlds of a batch call it at
+    /// the same time on different threads. If it throws, the call that ran it throws a MimoException that quotes the
+    /// message.</summary>
     public abstract class MimoTask
     {
-        /// <summary>How many numbers each world and infant keeps for the task.</summary>
+        /// <summary>Number of values that the task keeps per world and agent.</summary>
         public virtual int Memory => 0;
 
-        /// <summary>Names of what the reward is the sum of; none: it is one number.</summary>
+        /// <summary>Names of the reward's terms; empty: the reward is a single number.</summary>
         public virtual IReadOnlyList<string> Terms => new string[0];
 
-        /// <summary>Further fields of the observation.</summary>
+        /// <summary>Additional fields of the observation.</summary>
         public virtual IReadOnlyList<TaskField> Fields => new TaskField[0];
 
-        /// <summary>Prepares an episode, in a world that is at its start. The world takes everything but Reset, Step, Load and
-        /// Dispose; what it has of an observation is not that of the step.</summary>
+        /// <summary>Prepares an episode, in a world at its start. All calls on the world are allowed except Reset,
+        /// Step, Load and Dispose. The world's Block is not the step's observation.</summary>
         public virtual void Reset(Env world, TaskMoment moment) { }
 
-        /// <summary>Judges a step. Positions of bodies are those of the start of the last physics step. What it writes, to place
-        /// the next goal, say, counts from the next step on. Infants are asked in their order.</summary>
+        /// <summary>Judges a step. Positions of bodies are from the start of the last physics step. Changes to the
+        /// world, such as the next goal's position, take effect in the next step. Agents are judged in the order of
+        /// their indices.</summary>
         public abstract void Evaluate(Env world, TaskMoment moment, TaskVerdict verdict);
     }
 }

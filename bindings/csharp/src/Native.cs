@@ -944,9 +944,9 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_sources"); }
         }
 
-        internal static int mimo_scene_direct_source(SceneHandle scene, byte[] body, double[] place, double[] axis, double directivity)
+        internal static int mimo_scene_direct_source(SceneHandle scene, byte[] body, ref Vector3d place, ref Vector3d axis, double directivity)
         {
-            try { return Entry.mimo_scene_direct_source(scene, body, place, axis, directivity); }
+            try { return Entry.mimo_scene_direct_source(scene, body, ref place, ref axis, directivity); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_direct_source"); }
         }
 
@@ -1118,7 +1118,7 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_senses_state_save(SensesHandle senses, byte[] state, UIntPtr state_bytes);
             [DllImport(File)] internal static extern int mimo_senses_state_load(SensesHandle senses, byte[] state, UIntPtr state_bytes, ref LoadReportStruct report);
             [DllImport(File)] internal static extern int mimo_scene_set_sources(SceneHandle scene, UIntPtr count, double seconds);
-            [DllImport(File)] internal static extern int mimo_scene_direct_source(SceneHandle scene, byte[] body, double[] place, double[] axis, double directivity);
+            [DllImport(File)] internal static extern int mimo_scene_direct_source(SceneHandle scene, byte[] body, ref Vector3d place, ref Vector3d axis, double directivity);
             [DllImport(File)] internal static extern int mimo_env_play(EnvHandle env, byte[] body, float[] samples, UIntPtr count, double rate);
             [DllImport(File)] internal static extern int mimo_senses_play(SensesHandle senses, byte[] body, float[] samples, UIntPtr count, double rate);
         }

@@ -4,12 +4,12 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>An array that stays in place while the library has a pointer to it; null is a null pointer.</summary>
+    /// <summary>An array that is pinned while the library has a pointer to it; null gives a null pointer.</summary>
     internal class Pinned : IDisposable
     {
         private GCHandle handle;
 
-        /// <summary>How many elements it has.</summary>
+        /// <summary>Number of elements.</summary>
         internal UIntPtr Length { get; }
 
         internal Pinned(Array array)
@@ -27,7 +27,7 @@ namespace Mimo
         }
     }
 
-    /// <summary>Growths that stay in place, and an array of pointers to them; null stays null.</summary>
+    /// <summary>Pinned growths and an array of pointers to them; null gives a null pointer.</summary>
     internal sealed class PinnedGrowths : IDisposable
     {
         private readonly PinnedParts parts = new PinnedParts();
@@ -48,14 +48,14 @@ namespace Mimo
         public void Dispose() { parts.Dispose(); }
     }
 
-    /// <summary>Texts and arrays that stay in place as long as this lives.</summary>
+    /// <summary>Texts and arrays that are pinned until it is disposed.</summary>
     internal sealed class PinnedParts : IDisposable
     {
         private readonly List<Pinned> parts = new List<Pinned>();
 
         internal IntPtr Text(string text) { return Keep(Utf8.Bytes(text)); }
 
-        /// <summary>Elements without references.</summary>
+        /// <summary>Pins an array, whose elements hold no references.</summary>
         internal IntPtr Keep(Array array)
         {
             var part = new Pinned(array);

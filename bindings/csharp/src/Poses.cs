@@ -2,54 +2,49 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>A pose in the frame of Unity: left-handed, x right, y up, z forward; quaternion x y z w.</summary>
+    /// <summary>A pose in Unity's frame: left-handed, x right, y up, z forward; quaternion x y z w.</summary>
     public struct LeftHandedPose
     {
-        /// <summary>Of the place, metres.</summary>
+        /// <summary>Position, metres.</summary>
         public float X;
-        /// <summary>Of the place, metres.</summary>
+        /// <summary>Position, metres.</summary>
         public float Y;
-        /// <summary>Of the place, metres.</summary>
+        /// <summary>Position, metres.</summary>
         public float Z;
 
-        /// <summary>Of the rotation.</summary>
+        /// <summary>Quaternion.</summary>
         public float Qx;
-        /// <summary>Of the rotation.</summary>
+        /// <summary>Quaternion.</summary>
         public float Qy;
-        /// <summary>Of the rotation.</summary>
+        /// <summary>Quaternion.</summary>
         public float Qz;
-        /// <summary>Of the rotation.</summary>
+        /// <summary>Quaternion.</summary>
         public float Qw;
     }
 
-    /// <summary>
-    /// From the library's frame (right-handed, x forward, y left, z up) to a left-handed one with y up. The axes are
-    /// right = -y, up = z, forward = x. That mirrors space, so the axis of a rotation, which is no ordinary vector,
-    /// goes to minus that.
-    /// </summary>
+    /// <summary>Converts from the library's frame (right-handed, x forward, y left, z up) to a left-handed frame with y
+    /// up: right = -y, up = z, forward = x. The conversion mirrors space and so reverses the axes of rotations.</summary>
     public static class LeftHanded
     {
-        /// <summary>Converts a place.</summary>
+        /// <summary>Converts a position.</summary>
         public static Vector3d Position(Vector3d p) { return new Vector3d(-p.Y, p.Z, p.X); }
 
-        /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
+        /// <summary>Converts a rotation. The components are in the new frame; w does not change.</summary>
         public static Quaterniond Rotation(Quaterniond q) { return new Quaterniond(q.W, q.Y, -q.Z, -q.X); }
     }
 
-    /// <summary>
-    /// To a right-handed frame with y up, that of Godot and OpenGL: right = -y, up = z, backward = -x. Nothing is mirrored: the
-    /// axis of a rotation goes where any vector goes.
-    /// </summary>
+    /// <summary>Converts from the library's frame to a right-handed frame with y up, as in Godot and OpenGL: right = -y,
+    /// up = z, backward = -x. The axes of rotations are converted like other vectors.</summary>
     public static class RightHanded
     {
-        /// <summary>Converts a place.</summary>
+        /// <summary>Converts a position.</summary>
         public static Vector3d Position(Vector3d p) { return new Vector3d(-p.Y, p.Z, -p.X); }
 
-        /// <summary>Converts a rotation; the result's components are in the new frame, w stays.</summary>
+        /// <summary>Converts a rotation. The components are in the new frame; w does not change.</summary>
         public static Quaterniond Rotation(Quaterniond q) { return new Quaterniond(q.W, -q.Y, q.Z, -q.X); }
     }
 
-    /// <summary>Reads the poses of many bodies at once, without allocating.</summary>
+    /// <summary>Reads the poses of all bodies at once, without allocating.</summary>
     public sealed class PoseReader
     {
         private readonly Env env;
@@ -58,10 +53,10 @@ namespace Mimo
         /// <summary>Ids of the bodies, in the order of the poses.</summary>
         public int[] Bodies { get; }
 
-        /// <summary>The poses that Read has read.</summary>
+        /// <summary>The poses of the last Read.</summary>
         public LeftHandedPose[] Poses { get; }
 
-        /// <summary>For all bodies of a world, its fixed world body included.</summary>
+        /// <summary>Makes a reader for all bodies of a world, including the fixed world body.</summary>
         public PoseReader(Env env)
         {
             this.env = Given.Some(env, "env", "an Env");
@@ -74,16 +69,14 @@ namespace Mimo
         /// <summary>Reads and converts the current poses.</summary>
         public void Read()
         {
-            env.Get(Quantity.BodyPose | Quantity.Now, Bodies, poses);
-            for (var i = 0; i < Bodies.Length; ++i)
+            env.Poses(Kind.Body, Axes.Unity, poses);
+            for (var i = 0; i < Poses.Length; ++i)
             {
-                var p = LeftHanded.Position(new Vector3d(poses[7 * i], poses[7 * i + 1], poses[7 * i + 2]));
-                var q = LeftHanded.Rotation(new Quaterniond(poses[7 * i + 3], poses[7 * i + 4], poses[7 * i + 5],
-                    poses[7 * i + 6]));
+                var at = 7 * i;
                 Poses[i] = new LeftHandedPose
                 {
-                    X = (float)p.X, Y = (float)p.Y, Z = (float)p.Z,
-                    Qx = (float)q.X, Qy = (float)q.Y, Qz = (float)q.Z, Qw = (float)q.W
+                    X = poses[at], Y = poses[at + 1], Z = poses[at + 2],
+                    Qx = poses[at + 3], Qy = poses[at + 4], Qz = poses[at + 5], Qw = poses[at + 6]
                 };
             }
         }

@@ -3,22 +3,51 @@ using System.Runtime.InteropServices;
 
 namespace Mimo
 {
-    /// <summary>A recording that is read, and played again in a world like the one that was recorded.</summary>
+    /// <summary>Records all steps of a world into an HDF5 file until the recorder or the world is closed.</summary>
+    public sealed class Recorder : IDisposable
+    {
+        private readonly RecorderHandle owned;
+        private RecorderHandle Handle => Ending.Pass(owned);
+
+        /// <summary>Records a world from now on. An existing recording is an error unless config.Replace is
+        /// set.</summary>
+        public Recorder(Env env, string path, RecorderConfig config = null)
+        {
+            using (var parts = new PinnedParts())
+            {
+                var raw = (config ?? new RecorderConfig()).Raw(parts);
+                MimoException.Check(Native.mimo_recorder_open(Given.Some(env, "env", "an Env").Handle, Utf8.Bytes(path), ref raw, out owned));
+                owned.World = env.Handle;
+                Ending.Watch(owned);
+            }
+        }
+
+        /// <summary>Writes everything recorded so far to the disk.</summary>
+        public void Flush() { MimoException.Check(Native.mimo_recorder_flush(Handle)); }
+
+        /// <summary>Saves the last state and closes the file. Throws if something could not be written.</summary>
+        public void Close() { MimoException.Check(Native.mimo_recorder_close(Handle)); }
+
+        /// <summary>Closes the file. Does not throw if something could not be written.</summary>
+        public void Dispose() { owned.Dispose(); }
+    }
+
+    /// <summary>A recording, for reading and for replay in a world like the recorded one.</summary>
     public sealed class Recording : IDisposable
     {
         private readonly RecordingHandle owned;
         private RecordingHandle Handle => Ending.Pass(owned);
-        private readonly bool grows; // infants do
+        private readonly bool hasAges; // infants of several ages
 
-        /// <summary>Opens a recording; hdf5 is the path of the HDF5 library, null: the system's.</summary>
+        /// <summary>Opens a recording. hdf5 is the path of the HDF5 library; null: the system's.</summary>
         public Recording(string path, string hdf5 = null)
         {
             Library.Require();
             MimoException.Check(Native.mimo_recording_open(Utf8.Bytes(path), Utf8.Bytes(hdf5), out owned));
-            grows = Info.Bodies > 1;
+            hasAges = Info.Bodies > 1;
         }
 
-        /// <summary>What it holds.</summary>
+        /// <summary>Description of the recording.</summary>
         public RecordingInfo Info
         {
             get
@@ -29,7 +58,7 @@ namespace Mimo
             }
         }
 
-        /// <summary>How many rows a dataset has.</summary>
+        /// <summary>Number of rows of a dataset.</summary>
         public int Rows(string dataset)
         {
             UIntPtr rows, bytes;
@@ -37,7 +66,7 @@ namespace Mimo
             return (int)rows;
         }
 
-        /// <summary>Rows of a dataset, one behind the other, of the type that it has in the file: float for actions and most
+        /// <summary>Reads rows of a dataset, one after the other, in the file's type: float for actions and most
         /// fields, double for joints and rewards.</summary>
         public T[] Read<T>(string dataset, int first, int rows) where T : struct
         {
@@ -54,34 +83,34 @@ namespace Mimo
             return values;
         }
 
-        /// <summary>Loads the last kept state that is not later than a step; gives that state's step. Without compareFields
-        /// the world may sense otherwise. Infants become as old as they were.</summary>
+        /// <summary>Loads the last saved state that is not later than a step, and returns that state's step. Infants
+        /// get the age that they had. With compareFields false the world may have other senses.</summary>
         public int Seek(Env env, int step = 0, bool compareFields = true)
         {
             UIntPtr at;
             MimoException.Check(Native.mimo_recording_seek(Handle, Given.Some(env, "env", "an Env").Handle, Given.Index(step, "step"),
                 compareFields ? 1u : 0u, out at));
-            if (grows) env.Layout.Renew();
+            if (hasAges) env.Layout.Renew();
             return (int)at;
         }
 
-        /// <summary>Plays the next step; its results and observation are the world's.</summary>
+        /// <summary>Replays the next step. The world holds its results and observation.</summary>
         public Step Step(Env env)
         {
             var step = Given.Some(env, "env", "an Env").Take((EnvHandle world, byte[] block, ref EnvResultsStruct results) =>
                 Native.mimo_recording_step(Handle, world, block, (UIntPtr)block.Length, ref results));
-            if (grows) env.Layout.Renew();
+            if (hasAges) env.Layout.Renew();
             return step;
         }
 
-        /// <summary>Plays all that is left.</summary>
+        /// <summary>Replays all remaining steps.</summary>
         public ReplayReport Play(Env env)
         {
             for (var left = Info.Steps - Report.Next; left > 0; --left) Step(env);
             return Report;
         }
 
-        /// <summary>What was compared since the last Seek.</summary>
+        /// <summary>The result of all comparisons since the last Seek.</summary>
         public ReplayReport Report
         {
             get

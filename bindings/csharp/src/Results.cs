@@ -1,21 +1,22 @@
 using System;
+using System.Collections.Generic;
 
 namespace Mimo
 {
-    /// <summary>What a step gave an agent, beside the observation.</summary>
+    /// <summary>The result of a step for one agent, besides the observation.</summary>
     public struct Step
     {
         /// <summary>Reward of the task.</summary>
         public double Reward;
-        /// <summary>The episode has ended by success or failure.</summary>
+        /// <summary>The episode ended by success or failure.</summary>
         public bool Terminated;
-        /// <summary>The episode is cut off: by its step limit, or by its task.</summary>
+        /// <summary>The episode was cut off by its step limit or by its task.</summary>
         public bool Truncated;
-        /// <summary>Success or failure, also where that does not end the episode.</summary>
+        /// <summary>Success or failure, also if it does not end the episode.</summary>
         public Outcome Outcome;
     }
 
-    /// <summary>Where the library leaves what steps give: arrays of all agents, of all worlds, that stay in place.</summary>
+    /// <summary>Pinned arrays for the results of steps, of all agents of all worlds.</summary>
     internal sealed class Results
     {
         internal readonly double[] Rewards, Terms;
@@ -31,7 +32,7 @@ namespace Mimo
             Terms = new double[worlds * layout.Terms.Count];
         }
 
-        /// <summary>The struct that tells the library where they are; valid as long as what keeps them in place.</summary>
+        /// <summary>The struct with pointers to the arrays, valid as long as kept.</summary>
         internal EnvResultsStruct PlaceIn(PinnedParts kept)
         {
             return new EnvResultsStruct
@@ -49,6 +50,30 @@ namespace Mimo
                 Reward = Rewards[row], Terminated = terminated[row] != 0, Truncated = truncated[row] != 0,
                 Outcome = (Outcome)outcomes[row]
             };
+        }
+    }
+
+    /// <summary>The differences between a loaded state and the world: names of sections.</summary>
+    public sealed class LoadReport
+    {
+        /// <summary>Delayed senses and motors of the world that the state lacks: they start fresh.</summary>
+        public IReadOnlyList<string> Fresh { get; private set; }
+
+        /// <summary>Sections of the state that the world does not have.</summary>
+        public IReadOnlyList<string> Ignored { get; private set; }
+
+        internal delegate int LoadCall(ref LoadReportStruct report);
+
+        internal static LoadReport Of(LoadCall load)
+        {
+            var raw = LoadReportStruct.New();
+            MimoException.Check(load(ref raw));
+            return new LoadReport { Fresh = Names(raw.fresh_names), Ignored = Names(raw.ignored_names) };
+        }
+
+        private static string[] Names(IntPtr joined)
+        {
+            return Utf8.Of(joined).Split(new[] { ", " }, StringSplitOptions.RemoveEmptyEntries);
         }
     }
 }

@@ -2,8 +2,8 @@ using System;
 
 namespace Mimo
 {
-    /// <summary>Senses that look at a host's own MuJoCo model, and never change it. Pointers are those of MuJoCo's structs,
-    /// as its plug-in for Unity has them; the model outlives the senses.</summary>
+    /// <summary>Senses attached to a host's own MuJoCo model, which they never change. Pointers refer to MuJoCo's
+    /// structs, as in MuJoCo's Unity plug-in. The model must outlive the senses.</summary>
     public sealed class Senses : IDisposable
     {
         private readonly SensesHandle owned;
@@ -12,11 +12,11 @@ namespace Mimo
         /// <summary>The last observation.</summary>
         public byte[] Block { get; }
 
-        /// <summary>What it consists of.</summary>
+        /// <summary>The fields of the observation.</summary>
         public Layout Layout { get; }
 
-        /// <summary>Attaches senses to an mjModel of a host whose mj_version() is given. The scene describes the agents
-        /// (with the body "scene"), their skin, the limits of their senses and the cameras.</summary>
+        /// <summary>Attaches senses to a host's mjModel; mujocoVersion is the host's mj_version(). The scene describes
+        /// the agents (with the body "scene"), their skin, the limits of their senses and the cameras.</summary>
         public Senses(MimoScene scene, IntPtr model, int mujocoVersion, SensesConfig config = null)
         {
             owned = (config ?? new SensesConfig()).Attach(scene, model, mujocoVersion);
@@ -24,22 +24,24 @@ namespace Mimo
             Block = new byte[Layout.BlockBytes];
         }
 
-        /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or double.</summary>
+        /// <summary>Copies a field of the last observation into an array of its element type: byte, int, float or
+        /// double.</summary>
         public void Read<T>(Field field, T[] into) where T : struct { Given.Some(field, "field", "one of Layout.Fields").CopyTo(into, Block, 0); }
 
-        /// <summary>Starts an episode: nothing was sensed before what the mjData hold. Noise follows from the seed; without
-        /// one it goes on from the last episode's.</summary>
+        /// <summary>Starts an episode with the state in the mjData. The seed determines the noise; without a seed the
+        /// noise continues from the last episode.</summary>
         public void Reset(IntPtr data, ulong? seed = null)
         {
             var config = ResetConfigStruct.Of(seed);
             MimoException.Check(Native.mimo_senses_reset(Handle, data, ref config));
         }
 
-        /// <summary>One step later, once after each step of the host: senses with a delay take in what the mjData hold.</summary>
+        /// <summary>Moves the senses' memory one step on. Call it once after each step of the host: delayed senses read
+        /// the mjData here.</summary>
         public void Advance(IntPtr data) { MimoException.Check(Native.mimo_senses_advance(Handle, data)); }
 
-        /// <summary>Dynamic and static drive of the spindles of both muscles of each motor, Hz, 4 numbers a motor, until
-        /// an episode starts. Null: all motors that have spindles.</summary>
+        /// <summary>Sets the dynamic and static drive of the spindles of both muscles of motors, Hz, 4 numbers per
+        /// motor, until the next episode. actuators = null: all motors with spindles.</summary>
         public void DriveSpindles(int[] actuators, double[] rates)
         {
             var count = Given.LengthOrNone(actuators);
@@ -47,19 +49,19 @@ namespace Mimo
                 Native.mimo_senses_drive_spindles(Handle, actuators, count, rates, Given.LengthOf(rates, "rates")));
         }
 
-        /// <summary>Lets a body play samples, Pa at 1 m, from the next Advance on: see Env.Play.</summary>
+        /// <summary>Plays samples (Pa at 1 m) from a body, from the next Advance on: see Env.Play.</summary>
         public void Play(string body, float[] samples, double rate)
         {
             MimoException.Check(Native.mimo_senses_play(Handle, Utf8.Bytes(body), samples, Given.LengthOf(samples, "samples"), rate));
         }
 
-        /// <summary>Senses what the mjData hold, which stay as they are, as does what the senses remember.</summary>
+        /// <summary>Senses the state in the mjData. Neither the mjData nor the senses' memory changes.</summary>
         public void Observe(IntPtr data)
         {
             MimoException.Check(Native.mimo_senses_observe(Handle, data, Block, (UIntPtr)Block.Length));
         }
 
-        /// <summary>What the senses remember, as bytes.</summary>
+        /// <summary>The senses' memory as bytes.</summary>
         public byte[] Save()
         {
             UIntPtr bytes;
@@ -69,7 +71,7 @@ namespace Mimo
             return state;
         }
 
-        /// <summary>Goes on from what other senses of such a model remembered; what the state lacks starts fresh.</summary>
+        /// <summary>Loads the memory of other senses of such a model. Parts that the state lacks start fresh.</summary>
         public LoadReport Load(byte[] state)
         {
             return LoadReport.Of((ref LoadReportStruct report) =>

@@ -8,11 +8,11 @@ using Mimo.Callbacks;
 
 namespace Mimo
 {
-    /// <summary>The way from the library to a user's task, which it keeps alive. The scene, worlds and their clones share it;
-    /// the last one that is destroyed lets it go.</summary>
+    /// <summary>Passes the library's calls to a user's task, which it keeps alive. The scene, worlds and their clones
+    /// share it; the last one that is destroyed releases it.</summary>
     internal sealed class Tasking
     {
-        /// <summary>What is used of one world again and again.</summary>
+        /// <summary>The objects of one world, made once and used again in each call.</summary>
         private sealed class Seat
         {
             internal Env World;
@@ -20,7 +20,7 @@ namespace Mimo
             internal TaskVerdict[] Verdicts;
         }
 
-        // In static fields, so that the collector never takes what the library may still call.
+        // Static fields keep the delegates alive as long as the library may call them.
         private static readonly Native.TaskResetFunction reset = Reset;
         private static readonly Native.TaskEvaluateFunction evaluate = Evaluate;
 
@@ -39,7 +39,7 @@ namespace Mimo
             kept = GCHandle.Alloc(this);
         }
 
-        /// <summary>Gives a scene a task; null: takes it away.</summary>
+        /// <summary>Sets a scene's task; null removes it.</summary>
         internal static Tasking Tell(SceneHandle scene, MimoTask task)
         {
             if (task == null)
@@ -47,9 +47,9 @@ namespace Mimo
                 MimoException.Check(Native.mimo_scene_set_task(scene, IntPtr.Zero));
                 return null;
             }
-            var terms = Given.Some(task.Terms, "Terms", "names, or none of them");
-            var fields = Given.Some(task.Fields, "Fields", "fields, or none of them");
-            foreach (var field in fields) Given.Some(Given.Some(field, "one of Fields", "a TaskField").Shape, "Shape", "an array");
+            var terms = Given.Some(task.Terms, "Terms", "a list of names");
+            var fields = Given.Some(task.Fields, "Fields", "a list of fields");
+            foreach (var field in fields) Given.Some(Given.Some(field, "an element of Fields", "a TaskField").Shape, "Shape", "an array");
             Given.Count(task.Memory, "Memory");
             var tasking = new Tasking(task, terms.Count, fields);
             using (var words = new PinnedParts())
@@ -89,7 +89,7 @@ namespace Mimo
             return this;
         }
 
-        /// <summary>A world that had a share is gone.</summary>
+        /// <summary>Releases the share of a destroyed world.</summary>
         internal void Release(IntPtr world)
         {
             Seat gone;
@@ -122,7 +122,7 @@ namespace Mimo
         {
             try
             {
-                if (!Ending.Enter()) return Fail(new InvalidOperationException("the program ends"));
+                if (!Ending.Enter()) return Fail(new InvalidOperationException("the program is ending"));
                 var tasking = (Tasking)GCHandle.FromIntPtr(user).Target;
                 var seat = tasking.SeatOf(world);
                 var moment = seat.Moments[(int)told.agent];
@@ -146,7 +146,7 @@ namespace Mimo
         {
             try
             {
-                if (!Ending.Enter()) return Fail(new InvalidOperationException("the program ends"));
+                if (!Ending.Enter()) return Fail(new InvalidOperationException("the program is ending"));
                 var tasking = (Tasking)GCHandle.FromIntPtr(user).Target;
                 var seat = tasking.SeatOf(world);
                 TaskMoment moment = seat.Moments[(int)told.agent];

@@ -1,4 +1,4 @@
-// Arguments that C could not be given are refused as the library refuses: by a sentence that names them.
+// Arguments that C cannot receive are refused with a message that names them, as the library does.
 using System;
 using System.Linq;
 using Mimo;
@@ -13,21 +13,21 @@ internal static partial class Tests
         Check(said.Contains(expected), "\"" + said + "\", expected \"" + expected + "\"");
     }
 
-    private static void ScenesOfNothingAreRefused()
+    private static void ScenesWithoutDocumentAreRefused()
     {
-        Says("name is null, expected that of a built-in scene", () => MimoScene.Builtin(null));
-        Says("path is null, expected that of an MJCF file", () => MimoScene.FromFile(null));
+        Says("name is null, expected the name of a built-in scene", () => MimoScene.Builtin(null));
+        Says("path is null, expected the path of an MJCF file", () => MimoScene.FromFile(null));
         Says("xml is null, expected MJCF text", () => MimoScene.FromXml(null));
-        Says("name is \"\", expected that of a built-in scene", () => MimoScene.Builtin(""));
-        Says("path is \"\", expected that of an MJCF file", () => MimoScene.FromFile(""));
+        Says("name is \"\", expected the name of a built-in scene", () => MimoScene.Builtin(""));
+        Says("path is \"\", expected the path of an MJCF file", () => MimoScene.FromFile(""));
         Says("xml is \"\", expected MJCF text", () => MimoScene.FromXml(""));
         Says("scene_name is \"\"", () => new Env(""));
         Says("scene is null", () => new Env((MimoScene)null));
         Says("scene is null", () => new Batch(null, 2));
     }
 
-    /// <summary>A task needs somebody; a room may be empty, which is told.</summary>
-    private static void WorldsWithoutAgentsAreRefusedOrTold()
+    /// <summary>A task needs an agent. A room may be empty, with a message.</summary>
+    private static void TasksNeedAgents()
     {
         const string expected = "task \"reach\" is for agents, and the scene has none; MimoScene.AddAgents adds its infants";
         using (var scene = MimoScene.Builtin("reach"))
@@ -43,7 +43,7 @@ internal static partial class Tests
             Check(told != null && told.Contains("\"benchmark\" has no agents") && told.Contains("MimoScene.AddAgents"), told);
     }
 
-    private static void NumbersBelowZeroAreRefused()
+    private static void NegativeNumbersAreRefused()
     {
         using (var batch = new Batch(ReachScene(), 2, autoreset: Autoreset.None, threads: 1))
         using (var scene = ReachScene())
@@ -53,12 +53,12 @@ internal static partial class Tests
             Says("threads is -1", () => new Batch(scene, 1, threads: -1));
             Says("world is -1", () => batch.World(-1));
             Says("world is -1", () => batch.ErrorOf(-1));
-            Says("world is 2, and there are 2", () => batch.StepOf(2));
-            Says("agent is 1, and there are 1", () => batch.StepOf(0, 1));
+            Says("world is 2, but there are 2", () => batch.StepOf(2));
+            Says("agent is 1, but there are 1", () => batch.StepOf(0, 1));
             Says("world is -1", () => batch.WasReset(-1));
             Says("world is -1", () => batch.HasFinal(-1));
             Says("agent is -1", () => env.Agent(-1));
-            Says("agent is 1, and there are 1", () => env.StepOf(1));
+            Says("agent is 1, but there are 1", () => env.StepOf(1));
             Says("agent is -1", () => env.Gaze(-1));
             Says("agent is -1", () => env.LookAt(new Vector3d(1, 0, 0), Look.Eyes, -1));
             Says("count is -1", () => env.StepPhysics(-1));
@@ -97,8 +97,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>What is too short is named, with its length and with the one that is needed.</summary>
-    private static void ArraysThatAreTooShortAreNamed()
+    /// <summary>The message names an array that is too short, its length and the length that is needed.</summary>
+    private static void ShortArraysAreNamed()
     {
         using (var env = new Env("reach"))
         {

@@ -1,4 +1,4 @@
-// Many worlds do what single ones do.
+// The worlds of a batch behave like single worlds.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -25,7 +25,7 @@ internal static partial class Tests
         return batch.Blocks.Skip(world * batch.Layout.BlockBytes).Take(batch.Layout.BlockBytes).ToArray();
     }
 
-    private static void WorldsOfBatchesEqualSingleOnes()
+    private static void BatchesEqualSingleWorlds()
     {
         using (var batch = ReachBatch(3))
         using (var single = new Env("reach"))
@@ -62,7 +62,7 @@ internal static partial class Tests
             batch.Load(states);
             batch.Load(states.Skip(states.Length / 3).Take(states.Length / 3).ToArray(), new[] { true, true, false });
             batch.Step(actions);
-            Check(BlockOf(batch, 0).SequenceEqual(first) && BlockOf(batch, 1).SequenceEqual(first), "futures of one present");
+            Check(BlockOf(batch, 0).SequenceEqual(first) && BlockOf(batch, 1).SequenceEqual(first), "two futures of one state");
             Check(BlockOf(batch, 2).SequenceEqual(last), "a future of its own");
 
             batch.Reset(mask: new[] { false, true, false });
@@ -100,8 +100,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Where an episode has ended, its last block is kept and the first of the next one is given.</summary>
-    private static void LastBlocksOfEpisodesAreKept()
+    /// <summary>The last block of an ended episode is kept, and Blocks has the first one of the next episode.</summary>
+    private static void LastBlocksAreKept()
     {
         using (Batch batch = ReachBatch(2, 1, Autoreset.SameStep), plain = ReachBatch(1))
         using (var single = new Env("reach"))
@@ -122,7 +122,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A world of a batch that nobody holds any more is still good, and its log too.</summary>
+    /// <summary>A world keeps its batch and the batch's log alive after the last reference to the batch is
+    /// gone.</summary>
     private static void WorldsKeepTheirBatchAlive()
     {
         var world = ReachBatch(2).World(1);

@@ -1,4 +1,4 @@
-// Two threads on one object: one works, the other is told so, and nothing is harmed.
+// Two threads on one object: one call succeeds, the other one is Busy, and the object stays intact.
 using System;
 using System.Linq;
 using System.Threading;
@@ -6,7 +6,7 @@ using Mimo;
 
 internal static partial class Tests
 {
-    /// <summary>Calls on two threads at once, until they met; how often calls came through.</summary>
+    /// <summary>Runs a call on two threads until they collide. Returns the number of successful calls.</summary>
     private static int Hammer(Action call)
     {
         var done = new int[2];
@@ -37,12 +37,12 @@ internal static partial class Tests
             foreach (var thread in threads) thread.Start();
             foreach (var thread in threads) thread.Join();
         }
-        Check(odd == null, "what else went wrong: " + odd);
-        Check(busy > 0, "nobody was busy");
+        Check(odd == null, "another exception: " + odd);
+        Check(busy > 0, "no call was busy");
         return done.Sum();
     }
 
-    private static void TwoThreadsOnOneWorldTakeTurns()
+    private static void SecondThreadOnAWorldIsBusy()
     {
         using (Env env = new Env("reach"), alone = new Env("reach"))
         {
@@ -51,11 +51,11 @@ internal static partial class Tests
             var done = Hammer(() => env.Step(null));
             for (var i = 0; i < done; ++i) alone.Step(null);
             Check(env.Time == alone.Time, env.Time + " s, expected " + alone.Time);
-            Check(env.Get(Quantity.JointPosition).SequenceEqual(alone.Get(Quantity.JointPosition)), "another state than that of as many steps");
+            Check(env.Get(Quantity.JointPosition).SequenceEqual(alone.Get(Quantity.JointPosition)), "not the state after as many steps");
         }
     }
 
-    private static void TwoThreadsOnOneBatchTakeTurns()
+    private static void SecondThreadOnABatchIsBusy()
     {
         using (var batch = ReachBatch(2))
         {

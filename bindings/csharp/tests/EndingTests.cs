@@ -1,5 +1,5 @@
-// What becomes of worlds that nobody disposes: when their domain is unloaded, as Unity's editor does before it runs changed
-// scripts, and when their process ends.
+// Worlds that are never disposed: their domain is unloaded, as in Unity's editor before it runs changed scripts, or their
+// process ends.
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -19,12 +19,12 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>The scripts of a game, which keep all that they make in static fields and dispose nothing.</summary>
+    /// <summary>The scripts of a game, which keep all their objects in static fields and dispose nothing.</summary>
     private sealed class Scripts : MarshalByRefObject
     {
         private static readonly List<IDisposable> kept = new List<IDisposable>();
 
-        /// <summary>One infant that feels its joints.</summary>
+        /// <summary>One infant with proprioception.</summary>
         private static MimoScene Room()
         {
             var scene = MimoScene.Builtin("free");
@@ -35,7 +35,8 @@ internal static partial class Tests
             return scene;
         }
 
-        /// <summary>Worlds of each kind, in the middle of what they do. The file gets a recording of five steps, also where one is.</summary>
+        /// <summary>Makes worlds of each kind in the middle of their work. Writes a recording of five steps into the
+        /// file.</summary>
         public void Play(string file)
         {
             var scene = Room();
@@ -87,10 +88,10 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Play, stop, reload, play: 20 times, with everything alive at each reload.</summary>
-    private static void DomainsAreReloadedWithEverythingAlive()
+    /// <summary>20 times: play, then reload with all objects alive.</summary>
+    private static void DomainsReloadWithLiveObjects()
     {
-        if (Type.GetType("Mono.Runtime") == null) return; // .NET Core has one domain, which stays
+        if (Type.GetType("Mono.Runtime") == null) return; // .NET Core has a single domain, which cannot be unloaded
         var file = Path.GetTempFileName();
         var done = new ManualResetEvent(false);
         Exception failure = null;
@@ -118,19 +119,20 @@ internal static partial class Tests
         IsWhole(file);
     }
 
-    /// <summary>The state before the first step, and the last one, which the end of a recording adds.</summary>
+    /// <summary>Two states: the one before the first step, and the last one, which closing adds.</summary>
     private static void IsWhole(string file)
     {
         using (var recording = new Recording(file))
             Check(recording.Info.Steps == 5 && recording.Info.States == 2, "steps and states of the recording");
     }
 
-    /// <summary>Tests.exe --end FILE: a program that ends with everything alive. Tests.exe --ended FILE: what it has recorded.</summary>
+    /// <summary>Tests.exe --end FILE: a program that ends with all objects alive. Tests.exe --ended FILE: checks its
+    /// recording.</summary>
     private static int AtTheEnd(string what, string file)
     {
         if (what == "--end") new Scripts().Play(file);
         else IsWhole(file);
-        Console.WriteLine("all is well"); // also where a thread fails after this, which the exit status tells
+        Console.WriteLine("all is well"); // a thread that fails later changes the exit status
         return 0;
     }
 }

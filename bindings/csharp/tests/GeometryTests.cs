@@ -1,4 +1,4 @@
-// What engines draw themselves.
+// Shapes, appearances and poses for engines.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -6,7 +6,7 @@ using Mimo;
 
 internal static partial class Tests
 {
-    private static void MeshesHaveTheirGeomsSizes()
+    private static void MeshesHaveTheSizeOfTheirGeoms()
     {
         using (var env = new Env("benchmark"))
         {
@@ -26,7 +26,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Unreal counts in centimetres, and its y is to the right.</summary>
+    /// <summary>Unreal's unit is the centimetre, and its y axis points to the right.</summary>
     private static void PointsAreConverted()
     {
         var point = new float[] { 1, 2, 3 };
@@ -37,7 +37,7 @@ internal static partial class Tests
         Check(direction.SequenceEqual(new float[] { -2, 3, 1 }), "right, up, forward");
     }
 
-    /// <summary>Keeps what it is given, as an engine would.</summary>
+    /// <summary>Keeps everything it receives, as an engine would.</summary>
     private sealed class Memory : IDrawer
     {
         internal readonly Dictionary<int, MimoTexture> Textures = new Dictionary<int, MimoTexture>();

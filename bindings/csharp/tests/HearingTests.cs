@@ -4,10 +4,11 @@ using Mimo;
 
 internal static partial class Tests
 {
-    private static Env Listening()
+    private static Env Listening(Action<MimoScene> change = null)
     {
         using (var scene = MimoScene.Builtin("free"))
         {
+            change?.Invoke(scene);
             var agent = scene.DefaultAgent();
             agent.Vision = 0;
             agent.Touch = 0;
@@ -18,7 +19,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A cry is 82 dB at 1 m, 99 at the own ears: docs/guide/hearing.md. 0 dB are 20 micropascals.</summary>
+    /// <summary>A cry has 82 dB at 1 m and 99 dB at the infant's own ears: docs/guide/hearing.md. 0 dB is 20
+    /// micropascals.</summary>
     private static void InfantsHearTheirOwnVoice()
     {
         using (var env = Listening())
@@ -57,5 +59,34 @@ internal static partial class Tests
             var error = Refused(() => env.Play("head", new float[10], 44100));
             Check(error.Message.StartsWith("rate is 44100, expected 16000"), error.Message);
         }
+    }
+
+    /// <summary>The loudest pressure in half a second of a tone that the head plays from a place in its
+    /// frame.</summary>
+    private static float PeakFrom(Vector3d place)
+    {
+        using (var env = Listening(scene => scene.DirectSource("head", place, new Vector3d(0, 0, -1), 0)))
+        {
+            var ear = env.Layout.Find("hearing/ear_right");
+            var heard = new float[ear.Shape[0]];
+            var peak = 0f;
+            env.Reset(1);
+            env.Play("head", Enumerable.Range(0, 8000).Select(i => (float)Math.Sin(0.3 * i)).ToArray(), ear.SampleRate);
+            for (var step = 0; step < 50; ++step)
+            {
+                env.Step(null);
+                env.Read(ear, heard);
+                peak = Math.Max(peak, heard.Max());
+            }
+            return peak;
+        }
+    }
+
+    /// <summary>Sound pressure falls with the distance: half at twice the distance.</summary>
+    private static void SoundsComeFromTheirPlace()
+    {
+        Near(2, PeakFrom(new Vector3d(0, 0, 2)) / PeakFrom(new Vector3d(0, 0, 4)), 0.1, "pressure at 2 m over that at 4 m");
+        using (var scene = MimoScene.Builtin("free"))
+            Says("directivity is 2", () => scene.DirectSource("head", new Vector3d(), new Vector3d(0, 0, 1), 2));
     }
 }

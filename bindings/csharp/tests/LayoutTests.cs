@@ -1,11 +1,11 @@
-// What there is to observe, to act with and to be rewarded for.
+// Layouts: fields, actions and reward terms.
 using System;
 using System.Linq;
 using Mimo;
 
 internal static partial class Tests
 {
-    // An arm of a ball of 10 cm radius and 2 kg on a hinge; two steps of physics of 2 ms to a step of the world.
+    // An arm: a ball of 10 cm radius and 2 kg on a hinge. Physics steps of 2 ms.
     private const string OneArm = "<mujoco><worldbody><body name='arm' pos='0 0 1'><joint name='hinge' axis='0 1 0'/>" +
         "<geom name='skin' size='.1' mass='2' pos='.1 0 0'/><site name='mark'/></body></worldbody>" +
         "<actuator><motor name='pull' joint='hinge' ctrlrange='-2 3' ctrllimited='true'/><motor name='free' joint='hinge'/></actuator></mujoco>";
@@ -42,9 +42,9 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Joints belong to the end of a step, sensors to the start of its last physics step, what is late to when it
-    /// was.</summary>
-    private static void FieldsHaveTheirTime()
+    /// <summary>Joint fields belong to the end of a step, sensor fields to the start of its last physics step, delayed
+    /// fields to an earlier time.</summary>
+    private static void FieldsHaveTimes()
     {
         using (var scene = SceneOfOneArm())
         {
@@ -65,9 +65,9 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Late by the nerve of the part that a joint moves, and on its way through the brain, to the nearest time
-    /// step of 5 ms.</summary>
-    private static void NervesAreAsLateAsTheInfantIsOld()
+    /// <summary>The delay is that of the nerve to the part that a joint moves and of the way through the brain, rounded
+    /// to time steps of 5 ms.</summary>
+    private static void NerveDelaysDependOnAge()
     {
         var newborn = Maturity.OfAge(0);
         Check(newborn.Acuity == 0.70 && Maturity.OfAge(24).Acuity == 11.1, "eyes");
@@ -124,7 +124,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Sensors on a ball: all as far from its middle as its radius, and looking away from it.</summary>
+    /// <summary>Sensors on a ball: their distance from its centre is its radius, and their normals point
+    /// outwards.</summary>
     private static void ReceptorsLieOnTheSkin()
     {
         using (var scene = SceneOfOneArm())
@@ -162,7 +163,7 @@ internal static partial class Tests
         Check(position.Name == "proprioception/position" && Refused(() => position.Label(0)).Status == Status.BadHandle, "it is gone");
     }
 
-    private static void EverythingAndNothing()
+    private static void AllAndNoneAreBits()
     {
         using (var scene = MimoScene.Builtin("free"))
         {
@@ -210,7 +211,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Reach wants the right fingers at the ball (docs/tasks.md).</summary>
+    /// <summary>The goal of reach is the right fingers at the ball (docs/tasks.md).</summary>
     private static void GoalsAreObserved()
     {
         using (var scene = MimoScene.Builtin("reach"))

@@ -1,4 +1,4 @@
-// What there is by name, and scenes as documents.
+// Lists of names, and scenes as documents.
 using System;
 using System.IO;
 using System.Linq;
@@ -7,12 +7,12 @@ using Mimo;
 
 internal static partial class Tests
 {
-    private static void VersionsAreThoseOfTheHeader()
+    private static void VersionsEqualTheHeader()
     {
         var version = Constants.VersionMajor + "." + Constants.VersionMinor + "." + Constants.VersionPatch + Constants.VersionLabel;
         Check(Library.Version == version, Library.Version);
         Check(Library.ApiVersion == Constants.ApiVersion, "API " + Library.ApiVersion);
-        Check(Regex.IsMatch(Library.MuJoCoVersion, @"^2\.2\.\d+$"), Library.MuJoCoVersion); // the one that is built against
+        Check(Regex.IsMatch(Library.MuJoCoVersion, @"^2\.2\.\d+$"), Library.MuJoCoVersion); // the version of this build
     }
 
     private static void TheLibraryKnowsNames()
@@ -22,7 +22,7 @@ internal static partial class Tests
         Check(!Library.Supports("mimo_field.colour") && !Library.Supports(null), "names of nothing");
     }
 
-    /// <summary>What a later version may bring is told apart from mistakes.</summary>
+    /// <summary>Numbers of a later version are Unsupported, not InvalidArgument.</summary>
     private static void UnknownNumbersAreUnsupported()
     {
         using (var env = new Env("reach"))
@@ -33,7 +33,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>What is listed can be made.</summary>
+    /// <summary>Everything that is listed can be made.</summary>
     private static void ScenesRoomsAndTasksAreListed()
     {
         Check(Scenes.Names.Contains("reach") && Scenes.Names.Contains("playdate"), string.Join(" ", Scenes.Names));
@@ -68,7 +68,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A scene that was written and read again weighs what it did; names are UTF-8.</summary>
+    /// <summary>A scene has the same mass after writing and reading it; names are UTF-8.</summary>
     private static void ScenesAreWritten()
     {
         using (var scene = MimoScene.Empty())

@@ -1,4 +1,4 @@
-// Messages: what they say, whom they are from, and how long they are told.
+// Log messages: their contents, their world, and the lifetime of the delegate.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -7,12 +7,12 @@ using Mimo;
 
 internal static partial class Tests
 {
-    // A box lies on a plane with four contacts and there is room for one: MuJoCo warns.
+    // A box on a plane has four contacts, and there is room for one: MuJoCo warns.
     private const string Crowded = "<mujoco><size nconmax='1'/><worldbody><geom type='plane' size='1 1 1'/>" +
         "<body pos='0 0 0.05'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body></worldbody></mujoco>";
 
     /// <summary>The box falls by 1 cm: g h^2 n (n + 1) / 2 with h = 2 ms, so 23 physics steps, or 46 ms.</summary>
-    private static void LogIsDeliveredAndItsExceptionsStay()
+    private static void LogDropsExceptions()
     {
         var records = new List<LogRecord>();
         var options = new EnvConfig { Log = record => { records.Add(record); throw new Exception("stays"); } };
@@ -30,7 +30,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>The original may go before its clone does.</summary>
+    /// <summary>A clone still logs after the original world is destroyed.</summary>
     private static void ClonesShareTheLog()
     {
         var records = new List<LogRecord>();
@@ -44,7 +44,7 @@ internal static partial class Tests
         Check(records.Count > 0, "no warning");
     }
 
-    private static void WorldsOfBatchesSayWhoTheyAre()
+    private static void LogNamesTheWorldOfABatch()
     {
         var worlds = new HashSet<int?>();
         using (var scene = MimoScene.FromXml(Crowded))
@@ -57,7 +57,7 @@ internal static partial class Tests
     }
 
     /// <summary>An infant that starts within a box of 1 m.</summary>
-    private static void ScenesAreToldOfToo()
+    private static void ScenesLog()
     {
         var records = new List<LogRecord>();
         using (var scene = MimoScene.Empty(new SceneConfig { Log = records.Add }))
@@ -75,8 +75,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>On a thread of its own, so that nothing on a stack holds the delegate.</summary>
-    private static void NobodyHoldsTheLogOfWhatIsGone()
+    /// <summary>Runs on its own thread, so that no stack refers to the delegate.</summary>
+    private static void DisposedObjectsReleaseTheLog()
     {
         WeakReference records = null;
         var thread = new Thread(() => records = LogAndDispose());
@@ -85,7 +85,7 @@ internal static partial class Tests
         GC.Collect();
         GC.WaitForPendingFinalizers();
         GC.Collect();
-        Check(!records.IsAlive, "kept for good");
+        Check(!records.IsAlive, "still referenced");
     }
 
     private static WeakReference LogAndDispose()

@@ -1,4 +1,4 @@
-// Names: none that users have already. Quantities: all can be read.
+// Names of public types do not clash with engines; all quantities can be read.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -6,9 +6,9 @@ using Mimo;
 
 internal static partial class Tests
 {
-    // Public types of the namespaces that scripts of an engine begin with (UnityEngine, UnityEngine.SceneManagement, .UI,
-    // .Rendering, Unity.Mathematics, Godot, System.Numerics), as their manuals list them, without the long names of special
-    // things. With a type of the same name of ours, a script that uses both namespaces does not compile (CS0104).
+    // Public types of the namespaces that engine scripts use (UnityEngine, UnityEngine.SceneManagement, .UI, .Rendering,
+    // Unity.Mathematics, Godot, System.Numerics), from their manuals, without long special names. If a type of the binding had
+    // one of these names, a script that uses both namespaces would not compile (CS0104).
     private const string Taken =
         "AI AABB Action Animation AnimationClip AnimationCurve Animator AnimatorStateInfo Application Area2D Array AssetBundle " +
         "AsyncOperation AudioClip AudioListener AudioSource Avatar Basis Behaviour BoneWeight Bounds BoundsInt BoxCollider Button Cache Caching " +
@@ -28,21 +28,21 @@ internal static partial class Tests
         "Tween Variant Vector Vector2 Vector2I Vector2Int Vector3 Vector3I Vector3Int Vector4 Vector4I Viewport WaitForSeconds WheelCollider Window World " +
         "WindZone YieldInstruction bool3 double3 double4 float3 float4 int3 math quaternion";
 
-    private static void NamesAreFree()
+    private static void NamesDoNotClashWithEngines()
     {
         var taken = new HashSet<string>(Taken.Split(' '));
         var common = new[] { "System", "System.Collections.Generic", "System.Diagnostics", "System.IO", "System.Linq", "System.Threading" };
         foreach (var assembly in new[] { typeof(object).Assembly, typeof(Enumerable).Assembly, typeof(Uri).Assembly })
             taken.UnionWith(assembly.GetExportedTypes().Where(type => common.Contains(type.Namespace)).Select(type => type.Name));
-        // Also what is not public: in Unity these sources are part of the scripts' own assembly.
+        // Internal types count, too: in Unity these sources are part of the scripts' assembly.
         var ours = typeof(Env).Assembly.GetTypes().Where(type => type.Namespace == "Mimo" && !type.IsNested).Select(type => type.Name).ToList();
         Check(ours.Count > 20, "no types");
         var clashes = ours.Where(taken.Contains).ToList();
         Check(clashes.Count == 0, string.Join(" ", clashes));
     }
 
-    /// <summary>In a model that has one thing of every kind.</summary>
-    private static void EveryQuantityIsRead()
+    /// <summary>Reads every quantity in a model with one thing of each kind.</summary>
+    private static void AllQuantitiesAreRead()
     {
         const string all = "<mujoco><worldbody><body name='arm' pos='0 0 1'><joint name='hinge' range='-1 1' limited='true'/>" +
             "<geom name='bone' size='.1'/><site name='mark'/><camera name='eye'/></body><light name='sun'/></worldbody>" +

@@ -1,4 +1,4 @@
-// Recordings: what a program does with a world is written, and played again bit for bit.
+// Recordings of a program's run, and their replay to the last bit.
 using System;
 using System.IO;
 using System.Linq;
@@ -6,7 +6,7 @@ using Mimo;
 
 internal static partial class Tests
 {
-    private static void ProgramsArePlayedAgain()
+    private static void RecordingsReplayIdentically()
     {
         var path = Path.GetTempFileName();
         using (var env = Listening())
@@ -51,7 +51,7 @@ internal static partial class Tests
         File.Delete(path);
     }
 
-    private static void WhatIsNoRecordingIsRefused()
+    private static void OtherFilesAreRefused()
     {
         var path = Path.GetTempFileName();
         Check(Refused(() => new Recording(path)).Message.Contains("is not a recording"), "an empty file");

@@ -22,7 +22,7 @@ internal static partial class Tests
     [DllImport(MuJoCo)] private static extern void mj_deleteData(IntPtr data);
     [DllImport(MuJoCo)] private static extern void mj_deleteModel(IntPtr model);
 
-    /// <summary>The left arm gets half of what it is told, two steps of 10 ms late.</summary>
+    /// <summary>The left arm gets half of its commands, two steps of 10 ms late.</summary>
     private static void MotorsAreLimited()
     {
         using (var scene = MimoScene.Builtin("free"))
@@ -62,7 +62,7 @@ internal static partial class Tests
         Check(!first.SequenceEqual(seen(6)) && first.SequenceEqual(seen(5)), "noise of another seed");
     }
 
-    /// <summary>A host with its own MuJoCo: a delay of five steps, and what is remembered as bytes.</summary>
+    /// <summary>Senses on a host's MuJoCo, with a delay of five steps, and their memory as bytes.</summary>
     private static void SensesRemember()
     {
         IntPtr model = mj_loadXML(Encoding.UTF8.GetBytes("tests/models/humanoid.xml\0"), IntPtr.Zero, new byte[500], 500);
@@ -79,7 +79,7 @@ internal static partial class Tests
             agent.Root = "torso";
             scene.AddAgent(agent);
             scene.LimitSense("proprioception/position", delay: 0.05);
-            scene.LimitSense("proprioception/velocity", noise: 0.01, delay: 0.05); // which is new in every step
+            scene.LimitSense("proprioception/velocity", noise: 0.01, delay: 0.05); // new noise in every step
             var options = new SensesConfig { Step = 0.01 };
             using (Senses senses = new Senses(scene, model, mj_version(), options), twin = new Senses(scene, model, mj_version(), options))
             {
@@ -110,9 +110,9 @@ internal static partial class Tests
         mj_deleteModel(model);
     }
 
-    /// <summary>A height field of more triangles than the ray renderer takes, 24 floats each and 2^31 of them: OSMesa draws
-    /// it where there is one.</summary>
-    private static void SensesTellWhoDraws()
+    /// <summary>A height field with more triangles than the ray renderer can draw (24 floats each, 2^31 of them):
+    /// OSMesa draws it if it is installed.</summary>
+    private static void SensesLogTheirRenderer()
     {
         const string hills = "<mujoco><asset><hfield name='hills' nrow='7000' ncol='7000' size='1 1 1 1'/></asset><worldbody>" +
             "<geom type='hfield' hfield='hills'/><camera name='above' pos='0 0 2'/></worldbody></mujoco>";

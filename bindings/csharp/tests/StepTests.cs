@@ -1,4 +1,4 @@
-// How worlds go on, what rewards consist of, where time goes and points lie.
+// Steps of worlds and batches, reward terms, timing, and pictures.
 using System;
 using System.Linq;
 using System.Runtime.CompilerServices;
@@ -17,7 +17,7 @@ internal static partial class Tests
     }
 
     /// <summary>The paper's tasks take steps of 10 ms, two of 5 ms each (docs/tasks.md).</summary>
-    private static void WorldsKnowTheirTaskAndTimeSteps()
+    private static void WorldsDescribeTaskAndTimeSteps()
     {
         using (var env = new Env("reach"))
             Check(env.Task == "reach" && env.FrameSkip == 2 && env.Timestep == 0.005, env.Task + " of other steps");
@@ -44,8 +44,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A ball without gravity stays where it is, two that overlap do not touch without contacts, and whichever
-    /// way forces are solved for, the ball bounces the same.</summary>
+    /// <summary>Without gravity a ball stays at its place; without contacts two overlapping balls do not touch; both
+    /// Jacobians give the same bounce.</summary>
     private static void PartsOfPhysicsAreLeftOut()
     {
         Func<Env, double> height = env =>
@@ -86,9 +86,9 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms
-    /// (docs/tasks.md).</summary>
-    private static void RewardsConsistOfTerms()
+    /// <summary>In reach the term "distance" is that of the right fingers and the ball, and the reward is the sum of
+    /// all terms (docs/tasks.md).</summary>
+    private static void RewardsAreSumsOfTerms()
     {
         using (var env = new Env("reach"))
         {
@@ -111,7 +111,7 @@ internal static partial class Tests
         }
     }
 
-    private static void TimingTellsWhereTimeGoes()
+    private static void TimingAddsUp()
     {
         using (var scene = MimoScene.Builtin("reach"))
         {
@@ -132,13 +132,13 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A pinhole with a field of view of 90 degrees and 480 rows: what is as far to the side as it is away lies at
-    /// the edge, 240 pixels from the middle.</summary>
-    private static void PointsLieWhereAPinholeDrawsThem()
+    /// <summary>A pinhole camera with a field of view of 90 degrees and 480 rows: a point as far to the side as in
+    /// depth lies at the edge, 240 pixels from the middle.</summary>
+    private static void ProjectionIsAPinholes()
     {
         using (var env = Ball())
         {
-            // Looks along +y: right is +x.
+            // The camera looks along +y, so +x is to the right.
             var ahead = new PictureConfig { LookAt = new Vector3d(0, 0, 1), Distance = 2, Azimuth = 90, Elevation = 0, Fovy = 90 };
             var seen = env.Project(ahead, new Vector3d(0, 0, 1), new Vector3d(0.5, 0, 1.25), new Vector3d(0, -3, 1));
             Action<double, double, double, Vector3d> at = (x, y, depth, pixel) =>
@@ -156,7 +156,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>From 2 m away the nearest of a ball of 4 cm radius is at 1.96 m.</summary>
+    /// <summary>The nearest point of a ball of 4 cm radius at 2 m is at 1.96 m.</summary>
     private static void DepthAndSegmentationAreDrawn()
     {
         using (var env = Ball())
@@ -173,7 +173,7 @@ internal static partial class Tests
         }
     }
 
-    private static void ThingsBelongToBodies()
+    private static void BodiesOfThingsAreFound()
     {
         using (var env = Ball())
         {
@@ -184,8 +184,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>While a step is under way the collector moves what it may move.</summary>
-    private static void SentStepsAreSteps()
+    /// <summary>The collector moves objects while a step is running.</summary>
+    private static void SentStepsEqualSteps()
     {
         using (Batch plain = ReachBatch(3), sent = ReachBatch(3))
         {
@@ -207,8 +207,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Nobody but the library uses them.</summary>
-    private static void SentActionsStay()
+    /// <summary>Only the library still uses the actions.</summary>
+    private static void SentActionsArePinned()
     {
         using (var batch = ReachBatch(2))
         {
@@ -231,7 +231,7 @@ internal static partial class Tests
         return new WeakReference(actions);
     }
 
-    private static void SentStepsFailAsOthers()
+    private static void SentStepsFailLikeSteps()
     {
         using (var batch = ReachBatch(2))
         {
@@ -248,8 +248,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Nothing is written into arrays that are gone, whoever forgets the batch.</summary>
-    private static void WhatWasSentEndsWithTheBatch()
+    /// <summary>The library writes nothing into arrays that are gone after a batch was disposed or collected.</summary>
+    private static void SentStepsEndWithTheBatch()
     {
         var blocks = SendAndForget();
         GC.Collect();
@@ -268,8 +268,8 @@ internal static partial class Tests
         return batch.Blocks;
     }
 
-    /// <summary>Never more threads than worlds.</summary>
-    private static void BatchesKnowTheirSize()
+    /// <summary>A batch has no more threads than worlds.</summary>
+    private static void BatchesDescribeTheirSize()
     {
         using (Batch many = ReachBatch(5), one = ReachBatch(1))
             Check(many.Worlds == 5 && many.Threads == 2 && one.Worlds == 1 && one.Threads == 1, "sizes");

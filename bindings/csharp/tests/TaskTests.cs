@@ -1,4 +1,4 @@
-// Tasks of one's own: what they are told, what comes of what they say, and that they run on the library's threads.
+// Custom tasks: their moments and verdicts, their errors, and the threads that they run on.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -7,7 +7,8 @@ using Mimo;
 
 internal static partial class Tests
 {
-    /// <summary>Two terms, a goal that each episode draws, a success that goes on, a cut after five steps.</summary>
+    /// <summary>A task with two terms, a random goal per episode, a success that does not end it, and truncation after
+    /// five steps.</summary>
     private sealed class GoalTask : MimoTask
     {
         internal Field Angles;
@@ -32,7 +33,7 @@ internal static partial class Tests
         public override void Evaluate(Env world, TaskMoment moment, TaskVerdict verdict)
         {
             lock (Threads) Threads.Add(Thread.CurrentThread.ManagedThreadId);
-            Check(verdict.Terms.All(value => value == 0) && moment.Fields[0] == (float)moment.Memory[0], "what was left");
+            Check(verdict.Terms.All(value => value == 0) && moment.Fields[0] == (float)moment.Memory[0], "terms start from 0, fields and memory keep their values");
             verdict.Terms[0] = moment.Step;
             if (moment.Action != null) verdict.Terms[1] = -moment.Action[0];
             var angle = new float[1];
@@ -45,7 +46,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Only one joint is sensed, and nothing else.</summary>
+    /// <summary>The infant senses only one joint.</summary>
     private static MimoScene SceneWith(GoalTask task)
     {
         var scene = MimoScene.Builtin("free");
@@ -59,13 +60,13 @@ internal static partial class Tests
         return scene;
     }
 
-    private static void OwnTasksRewardAndTell()
+    private static void CustomTasksRewardAndObserve()
     {
         using (var scene = SceneWith(new GoalTask()))
         using (var env = new Env(scene))
         {
             scene.Dispose();
-            GC.Collect(); // nobody but the world holds the task now
+            GC.Collect(); // only the world refers to the task now
             var goal = env.Layout.Find("goal");
             Check(env.Layout.Terms.Select(term => term.Name).SequenceEqual(new[] { "near", "lazy" }), "names of terms");
             Check(goal.Low == -1 && goal.High == 1, "bounds as declared");
@@ -75,7 +76,7 @@ internal static partial class Tests
             env.Read(goal, drawn);
             Check(drawn[0] > 0 && drawn[0] < 1, "a goal was drawn");
             var action = new float[env.Layout.Actions.Count];
-            action[0] = -7; // the least is -1
+            action[0] = -7; // below the lower bound, -1
             for (var number = 1; number <= 5; ++number)
             {
                 var step = env.Step(action);
@@ -92,7 +93,7 @@ internal static partial class Tests
         }
     }
 
-    private static void MistakesOfTasksAreErrors()
+    private static void ErrorsOfTasksAreReported()
     {
         var task = new GoalTask();
         using (var scene = SceneWith(task))
@@ -127,8 +128,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>The collector stops all threads, also those of the library that are at work in a task.</summary>
-    private static void TasksOfBatchesRunOnManyThreads()
+    /// <summary>The collector stops all threads, also threads of the library that run a task.</summary>
+    private static void TasksOfBatchesRunOnThreads()
     {
         const int worlds = 8, steps = 40;
         var task = new GoalTask();
@@ -148,7 +149,7 @@ internal static partial class Tests
                 while (!Volatile.Read(ref done))
                 {
                     GC.Collect();
-                    Thread.Sleep(1); // .NET's threads may come to nothing between collections that follow each other
+                    Thread.Sleep(1); // .NET's threads may make no progress between collections without a pause
                 }
             });
             batch.Reset(Enumerable.Range(1, worlds).Select(seed => (ulong)seed).ToArray());

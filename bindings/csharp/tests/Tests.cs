@@ -1,4 +1,4 @@
-// Tests of the C# binding: a program that runs them all and says how many passed. Mono has no test runner of its own.
+// Tests of the C# binding: a program that runs all tests and prints how many passed. Mono has no test runner.
 using System;
 using System.Collections.Generic;
 using System.IO;
@@ -27,8 +27,8 @@ internal static partial class Tests
         throw new Exception("was not refused");
     }
 
-    /// <summary>C# lays the structs out as C does.</summary>
-    private static void StructsLieAsInC()
+    /// <summary>The layout of the structs in C# is the one in C.</summary>
+    private static void StructsHaveTheLayoutOfC()
     {
         foreach (var one in Layouts)
         {
@@ -42,10 +42,10 @@ internal static partial class Tests
     private static void StructsAreBlittable()
     {
         foreach (var type in Layouts.Keys)
-            GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free(); // throws for anything else
+            GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free(); // throws for other types
     }
 
-    private static void ErrorsCarryTheMessage()
+    private static void ExceptionsHaveStatusAndMessage()
     {
         var error = Refused(() => new Env("benchmarc"));
         Check(error.Status == Status.NotFound && error.StatusName == "MIMO_E_NOT_FOUND", error.StatusName);
@@ -69,7 +69,7 @@ internal static partial class Tests
     }
 
     /// <summary>Semi-implicit Euler with h = 5 ms: after n steps a ball has fallen by g h^2 n (n + 1) / 2.</summary>
-    private static void BallFallsAsCalculated()
+    private static void BallsFallAsCalculated()
     {
         using (var scene = MimoScene.Empty())
         {
@@ -88,8 +88,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Turning left by 90 degrees: what looked ahead looks to the left, in either frame.</summary>
-    private static void LeftHandedFrame()
+    /// <summary>A turn to the left by 90 degrees turns forward to left in both frames.</summary>
+    private static void LeftHandedFrameIsUnitys()
     {
         var right = LeftHanded.Position(new Vector3d(0, -1, 0));
         var up = LeftHanded.Position(new Vector3d(0, 0, 1));
@@ -102,7 +102,7 @@ internal static partial class Tests
         Near(-1, turned.X, 1e-15, "to the left");
     }
 
-    private static void RightHandedFrame()
+    private static void RightHandedFrameIsGodots()
     {
         var right = RightHanded.Position(new Vector3d(0, -1, 0));
         var up = RightHanded.Position(new Vector3d(0, 0, 1));
@@ -113,9 +113,9 @@ internal static partial class Tests
         Commutes(RightHanded.Position, RightHanded.Rotation);
     }
 
-    private static void ConversionCommutes() { Commutes(LeftHanded.Position, LeftHanded.Rotation); }
+    private static void ConversionCommutesWithRotation() { Commutes(LeftHanded.Position, LeftHanded.Rotation); }
 
-    /// <summary>Conversion and rotation may change places, for any rotation and point.</summary>
+    /// <summary>Conversion and rotation commute, for any rotation and point.</summary>
     private static void Commutes(Func<Vector3d, Vector3d> position, Func<Quaterniond, Quaterniond> rotation)
     {
         var random = new Random(1);
@@ -175,7 +175,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>What a user reads whose library is not there, or of another time.</summary>
+    /// <summary>Prints the messages for a user whose library is missing or of another version.</summary>
     private static int SayWhyNothingOpens()
     {
         Console.WriteLine(Refused(() => new Env("reach")).Message);
@@ -184,7 +184,7 @@ internal static partial class Tests
         return 0;
     }
 
-    /// <summary>Methods without parameters and result, in all files.</summary>
+    /// <summary>All tests: the methods without parameters and result.</summary>
     private static List<Action> All()
     {
         return typeof(Tests).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
@@ -192,7 +192,8 @@ internal static partial class Tests
             .Select(method => (Action)Delegate.CreateDelegate(typeof(Action), method)).ToList();
     }
 
-    /// <summary>Tests.exe --all; without arguments: what users read where no library can be used; or as AtTheEnd says.</summary>
+    /// <summary>Tests.exe --all runs the tests; without arguments it runs SayWhyNothingOpens; see AtTheEnd for the
+    /// others.</summary>
     private static int Main(string[] arguments)
     {
         if (arguments.Length == 0) return SayWhyNothingOpens();

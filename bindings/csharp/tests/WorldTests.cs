@@ -1,4 +1,4 @@
-// What worlds can do beside stepping: contacts, states, faces, gaze, cameras.
+// Contacts, states, faces, gaze and cameras of worlds.
 using System;
 using System.Collections.Generic;
 using System.Linq;
@@ -7,7 +7,7 @@ using Mimo;
 
 internal static partial class Tests
 {
-    /// <summary>The scene "free" with an infant that neither sees nor feels by itself.</summary>
+    /// <summary>The scene "free" with an infant without vision and touch.</summary>
     private static MimoScene Room()
     {
         var scene = MimoScene.Builtin("free");
@@ -19,7 +19,7 @@ internal static partial class Tests
         return scene;
     }
 
-    /// <summary>A ball of 1 kg rests on the floor: 9.81 N, from the standard gravity of the scene.</summary>
+    /// <summary>A ball of 1 kg on the floor weighs 9.81 N, from the scene's gravity.</summary>
     private static void ContactsCarryTheWeight()
     {
         const string floor = "<mujoco><worldbody><geom name='floor' type='plane' size='1 1 .1'/></worldbody></mujoco>";
@@ -42,9 +42,9 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006.
-    /// Ours of 18 months weighs 10.905 kg.</summary>
-    private static void InfantsOfAnyAge()
+    /// <summary>A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585 kg: WHO Child Growth
+    /// Standards, 2006. The library's infant of 18 months weighs 10.905 kg.</summary>
+    private static void InfantsHaveTheMassOfTheirAge()
     {
         using (var scene = MimoScene.Builtin("free"))
         {
@@ -63,8 +63,8 @@ internal static partial class Tests
     private const string HeavyBall = "<mujoco><option timestep='0.005'/><worldbody><geom type='plane' size='5 5 .1'/>" +
         "<body name='ball' pos='0 0 .3'><freejoint/><geom size='0.1' mass='2'/></body></worldbody></mujoco>";
 
-    /// <summary>v = F / m t, in each world of a batch with its own mass.</summary>
-    private static void MassesDiffer()
+    /// <summary>v = F / m t in the worlds of a batch, each with its own mass.</summary>
+    private static void MassesDifferBetweenWorlds()
     {
         using (var scene = MimoScene.FromXml(HeavyBall))
         using (var batch = new Batch(scene, 3))
@@ -82,8 +82,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>The impulse of all contacts of a step and that of gravity are the change of momentum.</summary>
-    private static void ContactsWithinAStep()
+    /// <summary>The impulses of all contacts of a step and of gravity add up to the change of momentum.</summary>
+    private static void StepContactsAddUpToMomentum()
     {
         using (var scene = MimoScene.FromXml(HeavyBall))
         using (var env = new Env(scene, new EnvConfig { FrameSkip = 20, StepContacts = true }))
@@ -103,7 +103,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Half a metre from an axis about which it turns at 2 rad/s: v = w r.</summary>
+    /// <summary>A site half a metre from an axis that turns at 2 rad/s: v = w r.</summary>
     private static void SitesMoveWithTheirBodies()
     {
         const string arm = "<mujoco><worldbody><body><joint axis='0 0 1'/><geom size='.1' pos='.5 0 0'/><site name='tip' pos='.5 0 0'/>" +
@@ -157,8 +157,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Its feet are half a metre higher when its soles are.</summary>
-    private static void InfantsArePlacedByTheirSoles()
+    /// <summary>The feet move up by as much as the position of the soles.</summary>
+    private static void SolesGoToThePosition()
     {
         Func<double, double[]> feet = height =>
         {
@@ -184,7 +184,7 @@ internal static partial class Tests
         Check(Math.Abs(high[2] - low[2] - 0.5) < 1e-9, "half a metre higher");
     }
 
-    /// <summary>An arm on a hinge, sensed at twice its speed and a step late.</summary>
+    /// <summary>An arm on a hinge, sensed at twice its speed and one step late.</summary>
     private static void SensesAreLimited()
     {
         const string arm = "<mujoco><worldbody><body name='arm'><joint name='hinge' axis='0 1 0'/><geom type='capsule' " +
@@ -224,8 +224,8 @@ internal static partial class Tests
         for (var i = 0; i < 3; ++i) Check(shaky[i] != plain[i] && Math.Abs(shaky[i] / plain[i] - 1) < 0.06, "noise");
     }
 
-    /// <summary>A cup that is fastened to the world does not fall.</summary>
-    private static void ScenesAreBuilt()
+    /// <summary>A room, an infant with locked and posed joints, and a cup that is welded to the world.</summary>
+    private static void ScenesAreEditedAndSaved()
     {
         const string cup = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
         using (var scene = MimoScene.Empty())
@@ -258,8 +258,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces that meet (J Appl Physiol 1957;11:211 has
-    /// skin's effusivity) through 350 W/(m^2 K) give 28.21 on copper, 30.26 on hardwood.</summary>
+    /// <summary>Skin of 33.0 degrees after 1 s on a body of 10 degrees: two half-spaces in contact (skin's effusivity:
+    /// J Appl Physiol 1957;11:211) through 350 W/(m^2 K) give 28.21 on copper, 30.26 on hardwood.</summary>
     private static void MetalFeelsColderThanWood()
     {
         Near(28.21, SkinOn("copper"), 0.1, "copper");
@@ -304,7 +304,7 @@ internal static partial class Tests
         }
     }
 
-    private static void FacesShow()
+    private static void FacesAreVisible()
     {
         Check(Faces.Names.Count == 7 && Faces.Names.Contains("fear"), "no emotion, and the six basic ones");
         using (var scene = Room())
@@ -326,7 +326,8 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>The eyes' centres are 49 mm apart: 2 atan(0.0245 m / d) is the vergence at a distance d straight ahead.</summary>
+    /// <summary>The eyes' centres are 49 mm apart: the vergence at a distance d straight ahead is 2 atan(0.0245 m /
+    /// d).</summary>
     private static void LinesOfSightMeet()
     {
         using (var scene = Room())
@@ -383,7 +384,7 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>New configs hold the library's defaults, and all that is set in them reaches the library.</summary>
+    /// <summary>New configs have the library's defaults, and all their members reach the struct.</summary>
     private static void ConfigsStartWithTheDefaults()
     {
         var ball = new ObjectConfig();
@@ -405,8 +406,9 @@ internal static partial class Tests
         }
     }
 
-    /// <summary>Who is held still is held with its weight: at the third degree of freedom of its free joint.</summary>
-    private static void MovementsAreFollowed()
+    /// <summary>The force that holds an infant still is its weight, at the third degree of freedom of its free
+    /// joint.</summary>
+    private static void FollowReturnsForces()
     {
         using (var scene = MimoScene.Builtin("free"))
         {

@@ -1,11 +1,11 @@
 using System;
 
-// Calls of the library that take the struct of a config.
+// The parts of configs that are not generated.
 namespace Mimo
 {
     public sealed partial class SceneConfig
     {
-        /// <summary>Makes a scene of a document: at most one of the three is not null.</summary>
+        /// <summary>Makes a scene of a document. At most one of the three is not null.</summary>
         internal SceneHandle Make(string name, string file, string xml)
         {
             using (var parts = new PinnedParts())
@@ -59,7 +59,8 @@ namespace Mimo
 
     public sealed partial class PictureConfig
     {
-        /// <summary>True: row 0 is the lowest, as in textures of Unity and OpenGL; false (default): it is the top.</summary>
+        /// <summary>True: row 0 is the bottom one, as in textures of Unity and OpenGL; false (default): it is the top
+        /// one.</summary>
         public bool BottomUp { get; set; }
 
         /// <summary>Calls a function with the struct, and checks the status that it returns.</summary>
@@ -71,6 +72,25 @@ namespace Mimo
                 config.format = (uint)(PictureFormat.Rgba | (BottomUp ? PictureFormat.BottomUp : PictureFormat.None));
                 MimoException.Check(call(config));
             }
+        }
+    }
+
+    public sealed partial class Growth
+    {
+        /// <summary>The median infant of an age, months from 0 to 24.</summary>
+        public static Growth OfAge(double months) { return new Growth { Age = months }; }
+    }
+
+    public sealed partial class Maturity
+    {
+        /// <summary>Eyes and nerves of an age, months from 0 to 24. ContrastThreshold and Flicker, which are options, stay
+        /// off.</summary>
+        public static Maturity OfAge(double months)
+        {
+            Library.Require();
+            MaturityStruct raw;
+            MimoException.Check(Native.mimo_maturity_at(months, out raw, (UIntPtr)MaturityStruct.Bytes));
+            return new Maturity(raw);
         }
     }
 }
