@@ -99,3 +99,42 @@ mxArray* mimo_picture_of(const void* pixels, size_t height, size_t width, size_t
   field.ndim = channels > 1 ? 3 : 2;
   return mimo_array_of(&field, one, 0);
 }
+
+/* The i-th number of a member. */
+static double number_of(const char* from, kind kind, size_t i) {
+  switch (kind) {
+    case kUnsigned: return ((const uint32_t*)from)[i];
+    case kWide: return (double)((const uint64_t*)from)[i];
+    case kSize: return (double)((const size_t*)from)[i];
+    case kSigned: return ((const int32_t*)from)[i];
+    case kFloats: return ((const float*)from)[i];
+    default: return ((const double*)from)[i];
+  }
+}
+
+static mxArray* value_of(const char* from, const member* one) {
+  mxArray* numbers;
+  size_t i;
+  if (one->kind == kText) return mxCreateString(*(const char* const*)from);
+  if (one->kind == kSwitch) return mxCreateLogicalScalar(*(const uint32_t*)from != 0);
+  numbers = mxCreateDoubleMatrix(one->count, 1, mxREAL);
+  for (i = 0; i < one->count; ++i) mxGetPr(numbers)[i] = number_of(from, one->kind, i);
+  return numbers;
+}
+
+mxArray* mimo_structs(size_t count, const member* members) {
+  mxArray* structs = mxCreateStructMatrix(count, 1, 0, NULL);
+  for (; members->name != NULL; ++members) mxAddField(structs, members->name);
+  return structs;
+}
+
+void mimo_fill(mxArray* structs, size_t index, const void* from, const member* members) {
+  for (; members->name != NULL; ++members)
+    mxSetField(structs, index, members->name, value_of((const char*)from + members->offset, members));
+}
+
+mxArray* mimo_struct(const void* from, const member* members) {
+  mxArray* made = mimo_structs(1, members);
+  mimo_fill(made, 0, from, members);
+  return made;
+}

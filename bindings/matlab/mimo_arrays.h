@@ -2,7 +2,7 @@
 #ifndef MIMO_MATLAB_ARRAYS_H
 #define MIMO_MATLAB_ARRAYS_H
 
-#include "mimo_base.h"
+#include "mimo_tables.h"
 
 /* Blocks of bytes, one behind the other, that a field lies in. */
 typedef struct stack {
@@ -25,5 +25,12 @@ mxArray* mimo_zeros_of(const mimo_field* field);
 /* How many elements it has, and where the i-th of them in C's order lies in an array of MATLAB's. */
 size_t mimo_elements(const mimo_field* field);
 size_t mimo_place_of(const mimo_field* field, size_t i);
+
+/* A column of structs with these members, which are empty at first; fills one of them from a struct of the library. */
+mxArray* mimo_structs(size_t count, const member* members);
+void mimo_fill(mxArray* structs, size_t index, const void* from, const member* members);
+
+/* A single one, filled. */
+mxArray* mimo_struct(const void* from, const member* members);
 
 #endif

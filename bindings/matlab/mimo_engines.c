@@ -60,15 +60,8 @@ static void appearance(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_need(nin >= 2, "expected a world, and a geom");
   look.struct_size = sizeof look;
   mimo_check(mimo_env_appearance(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 2), read_id(in[1], "geom"), &look));
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  mimo_add_number(out[0], "visible", look.visible);
-  mimo_add_number(out[0], "group", look.group);
-  mimo_add_number(out[0], "texture", look.texture + 1);
-  mimo_add(out[0], "color", rows_of(look.color, 4, 1));
-  mimo_add_number(out[0], "emission", look.emission);
-  mimo_add_number(out[0], "specular", look.specular);
-  mimo_add_number(out[0], "shininess", look.shininess);
-  mimo_add_number(out[0], "reflectance", look.reflectance);
+  out[0] = mimo_struct(&look, mimo_appearance_members);
+  mxSetField(out[0], 0, "texture", mxCreateDoubleScalar(look.texture + 1));
 }
 
 /* [pixels, type] = texture(number, id, index); of the id 0: how many there are */
@@ -102,18 +95,7 @@ static void light(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   now.struct_size = sizeof now;
   now.axes = read_axes(in[2]);
   mimo_check(mimo_env_light(mimo_world_at(mimo_worlds_of(in[0]), nin, in, 3), read_id(in[1], "light"), &now));
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  mimo_add_number(out[0], "active", now.active);
-  mimo_add_number(out[0], "directional", now.directional);
-  mimo_add_number(out[0], "casts_shadow", now.casts_shadow);
-  mimo_add_number(out[0], "cutoff", now.cutoff);
-  mimo_add_number(out[0], "exponent", now.exponent);
-  mimo_add(out[0], "position", rows_of(now.position, 3, 1));
-  mimo_add(out[0], "direction", rows_of(now.direction, 3, 1));
-  mimo_add(out[0], "ambient", rows_of(now.ambient, 3, 1));
-  mimo_add(out[0], "diffuse", rows_of(now.diffuse, 3, 1));
-  mimo_add(out[0], "specular", rows_of(now.specular, 3, 1));
-  mimo_add(out[0], "attenuation", rows_of(now.attenuation, 3, 1));
+  out[0] = mimo_struct(&now, mimo_light_members);
 }
 
 /* poses = poses(number, kind, axes, index): seven rows */

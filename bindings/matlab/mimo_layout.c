@@ -55,19 +55,13 @@ static const char* type_of(const mimo_field* field) {
   }
 }
 
-static void set_number(mxArray* to, size_t i, const char* name, double value) {
-  mxSetField(to, i, name, mxCreateDoubleScalar(value));
-}
-
-static void set_text(mxArray* to, size_t i, const char* name, const char* text) {
-  mxSetField(to, i, name, mxCreateString(text));
-}
-
 static mxArray* fields_of(const worlds* all) {
-  static const char* members[] = {"name",  "member", "type", "size", "unit",   "frame",     "offset",
-                                  "bytes", "low",    "high", "time", "period", "receptors", "sample_rate"};
-  mxArray* fields = mxCreateStructMatrix(all->sizes.fields, 1, 14, members);
+  mxArray* fields = mimo_structs(all->sizes.fields, mimo_field_members);
   size_t i;
+  mxAddField(fields, "member");
+  mxAddField(fields, "type");
+  mxAddField(fields, "size");
+  mxAddField(fields, "time");
   for (i = 0; i < all->sizes.fields; ++i) {
     const mimo_field field = field_at(all, i);
     mxArray* time = mxCreateDoubleMatrix(1, 2, mxREAL);
@@ -75,51 +69,42 @@ static mxArray* fields_of(const worlds* all) {
     member_name(field.name, member);
     mxGetPr(time)[0] = field.start;
     mxGetPr(time)[1] = field.end;
-    set_text(fields, i, "name", field.name);
-    set_text(fields, i, "member", member);
-    set_text(fields, i, "type", type_of(&field));
+    mimo_fill(fields, i, &field, mimo_field_members);
+    mxSetField(fields, i, "member", mxCreateString(member));
+    mxSetField(fields, i, "type", mxCreateString(type_of(&field)));
     mxSetField(fields, i, "size", mimo_size_of(&field));
-    set_text(fields, i, "unit", field.unit);
-    set_text(fields, i, "frame", field.frame);
-    set_number(fields, i, "offset", (double)field.offset);
-    set_number(fields, i, "bytes", (double)field.bytes);
-    set_number(fields, i, "low", field.low);
-    set_number(fields, i, "high", field.high);
     mxSetField(fields, i, "time", time);
-    set_number(fields, i, "period", field.period);
-    set_number(fields, i, "receptors", (double)field.receptors);
-    set_number(fields, i, "sample_rate", field.sample_rate);
   }
   return fields;
 }
 
+/* Agents are counted from 1. */
+static void set_agent(mxArray* to, size_t i, size_t agent) {
+  mxSetField(to, i, "agent", mxCreateDoubleScalar((double)agent + 1));
+}
+
 static mxArray* actions_of(const worlds* all) {
-  static const char* members[] = {"name", "unit", "agent", "low", "high"};
-  mxArray* actions = mxCreateStructMatrix(all->sizes.actions, 1, 5, members);
+  mxArray* actions = mimo_structs(all->sizes.actions, mimo_action_members);
   size_t i;
   for (i = 0; i < all->sizes.actions; ++i) {
     mimo_action action = {0};
     action.struct_size = sizeof action;
     mimo_check(mimo_layout_action(all->layout, i, &action));
-    set_text(actions, i, "name", action.name);
-    set_text(actions, i, "unit", action.unit);
-    set_number(actions, i, "agent", (double)action.agent + 1);
-    set_number(actions, i, "low", action.low);
-    set_number(actions, i, "high", action.high);
+    mimo_fill(actions, i, &action, mimo_action_members);
+    set_agent(actions, i, action.agent);
   }
   return actions;
 }
 
 static mxArray* terms_of(const worlds* all) {
-  static const char* members[] = {"name", "agent"};
-  mxArray* terms = mxCreateStructMatrix(all->sizes.terms, 1, 2, members);
+  mxArray* terms = mimo_structs(all->sizes.terms, mimo_term_members);
   size_t i;
   for (i = 0; i < all->sizes.terms; ++i) {
     mimo_term term = {0};
     term.struct_size = sizeof term;
     mimo_check(mimo_layout_term(all->layout, i, &term));
-    set_text(terms, i, "name", term.name);
-    set_number(terms, i, "agent", (double)term.agent + 1);
+    mimo_fill(terms, i, &term, mimo_term_members);
+    set_agent(terms, i, term.agent);
   }
   return terms;
 }
@@ -223,7 +208,8 @@ static void observation(int nout, mxArray* out[], int nin, const mxArray* in[]) 
   mimo_need(strcmp(precision, "double") == 0 || strcmp(precision, "single") == 0,
             "the precision is 'double' or 'single'");
   mimo_need(strcmp(which, "last") == 0 || strcmp(which, "final") == 0, "which observation is 'last' or 'final'");
-  mimo_need(which[0] == 'l' || all->finals != NULL, "only with the option autoreset 'same_step' there are final observations");
+  mimo_need(which[0] == 'l' || all->finals != NULL,
+            "only with the option autoreset 'same_step' there are final observations");
   blocks.data = which[0] == 'l' ? all->blocks : all->finals;
   blocks.bytes = all->sizes.block_bytes;
   blocks.count = all->count;

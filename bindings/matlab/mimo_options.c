@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-const option mimo_no_options[] = {{NULL, kText, 0, 0, NULL}};
+const member mimo_no_options[] = {{NULL, kText, 0, 0, NULL}};
 
 static void refuse(const char* name, const char* expected) { mimo_refuse("%s: expected %s", name, expected); }
 
@@ -85,42 +85,43 @@ static void set_numbers(double* to, size_t count, const char* name, const mxArra
     mimo_read_numbers(to, count, name, value);
 }
 
-static void set_option(void* config, const option* option, const mxArray* value) {
-  char* member = (char*)config + option->offset;
+static void set_option(void* config, const member* option, const mxArray* value) {
+  char* to = (char*)config + option->offset;
   const char* name = option->name;
   if (option->words != NULL) {
     const int64_t words = mimo_value_of(value, name, option->words);
     if (option->kind == kSigned)
-      *(int32_t*)member = (int32_t)words;
+      *(int32_t*)to = (int32_t)words;
     else
-      *(uint32_t*)member = (uint32_t)words;
+      *(uint32_t*)to = (uint32_t)words;
     return;
   }
   switch (option->kind) {
-    case kUnsigned: *(uint32_t*)member = (uint32_t)mimo_whole(value, name, 0, 4294967295.0); break;
-    case kWide: *(uint64_t*)member = (uint64_t)mimo_whole(value, name, 0, 9007199254740992.0); break;
-    case kSigned: *(int32_t*)member = (int32_t)mimo_whole(value, name, -2147483648.0, 2147483647.0); break;
-    case kNumbers: set_numbers((double*)member, option->count, name, value); break;
-    default: *(const char**)member = mimo_text(value, name); break;
+    case kSwitch:
+    case kUnsigned: *(uint32_t*)to = (uint32_t)mimo_whole(value, name, 0, 4294967295.0); break;
+    case kWide: *(uint64_t*)to = (uint64_t)mimo_whole(value, name, 0, 9007199254740992.0); break;
+    case kSigned: *(int32_t*)to = (int32_t)mimo_whole(value, name, -2147483648.0, 2147483647.0); break;
+    case kNumbers: set_numbers((double*)to, option->count, name, value); break;
+    default: *(const char**)to = mimo_text(value, name); break;
   }
 }
 
-int mimo_has_any(const properties* given, const option* options) {
-  const option* one;
+int mimo_has_any(const properties* given, const member* options) {
+  const member* one;
   for (one = options; one->name != NULL; ++one)
     if (mimo_has(given, one->name)) return 1;
   return 0;
 }
 
-void mimo_set_known(void* config, const option* options, properties* given) {
-  const option* found;
+void mimo_set_known(void* config, const member* options, properties* given) {
+  const member* found;
   for (found = options; found->name != NULL; ++found) {
     const mxArray* value = mimo_take(given, found->name);
     if (value != NULL) set_option(config, found, value);
   }
 }
 
-void mimo_set_all(void* config, const option* options, properties* given, const char* of) {
+void mimo_set_all(void* config, const member* options, properties* given, const char* of) {
   mimo_set_known(config, options, given);
   if (given->count > 0) mimo_refuse("no option %s of %s", given->names[0], of);
 }

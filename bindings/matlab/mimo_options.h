@@ -25,17 +25,17 @@ double mimo_take_number(properties* given, const char* name);
 /* An array of just so many numbers. */
 void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value);
 
-extern const option mimo_no_options[];
+extern const member mimo_no_options[];
 
 /* Growths of ages in months, NULL for NaN; NULL for an empty array. Otherwise they are as the usual one, and belong to
    the call. */
 const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* usual, size_t* count);
 
 /* Whether anything of the list is given. */
-int mimo_has_any(const properties* given, const option* options);
+int mimo_has_any(const properties* given, const member* options);
 
 /* Takes out what the list has and sets it; the second raises an error if anything is left: "no option X of a lock". */
-void mimo_set_known(void* config, const option* options, properties* given);
-void mimo_set_all(void* config, const option* options, properties* given, const char* of);
+void mimo_set_known(void* config, const member* options, properties* given);
+void mimo_set_all(void* config, const member* options, properties* given, const char* of);
 
 #endif

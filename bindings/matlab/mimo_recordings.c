@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "mimo_arrays.h"
 #include "mimo_options.h"
 
 /* record(number, file, index, name, value, ...) */
@@ -77,16 +78,7 @@ static void recording(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_need(nin == 1, "expected a file");
   open_file(in[0]);
   info = described();
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  mimo_add_number(out[0], "steps", (double)info.steps);
-  mimo_add_number(out[0], "states", (double)info.states);
-  mimo_add_number(out[0], "bodies", (double)info.bodies);
-  mimo_add_number(out[0], "step_seconds", info.step_seconds);
-  mimo_add_number(out[0], "format_version", info.format_version);
-  mimo_add(out[0], "same_build", mxCreateLogicalScalar(info.same_build != 0));
-  mimo_add_text(out[0], "build", info.build);
-  mimo_add_text(out[0], "configuration", info.configuration);
-  mimo_add_text(out[0], "seed", info.seed);
+  out[0] = mimo_struct(&info, mimo_recording_members);
   close_file();
 }
 
@@ -111,13 +103,7 @@ static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
     check(mimo_recording_step(open_recording, all->first, all->blocks, all->sizes.block_bytes, NULL));
   }
   check(mimo_recording_report(open_recording, &report));
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  mimo_add(out[0], "identical", mxCreateLogicalScalar(report.identical != 0));
-  mimo_add_number(out[0], "steps", (double)report.steps);
-  mimo_add_number(out[0], "next", (double)report.next);
-  mimo_add_number(out[0], "first_difference", (double)report.first_difference);
-  mimo_add_number(out[0], "largest_difference", report.largest_difference);
-  mimo_add_text(out[0], "differs_most_in", report.differs_most_in);
+  out[0] = mimo_struct(&report, mimo_replay_report_members);
   close_file();
 }
 

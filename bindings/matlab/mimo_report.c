@@ -4,19 +4,17 @@
 
 #include <string.h>
 
+#include "mimo_arrays.h"
 #include "mimo_messages.h"
 
 static mxArray* agents_of(const worlds* all) {
-  static const char* members[] = {"name", "mass", "height"};
-  mxArray* agents = mxCreateStructMatrix(all->sizes.agents, 1, 3, members);
+  mxArray* agents = mimo_structs(all->sizes.agents, mimo_agent_members);
   size_t i;
   for (i = 0; i < all->sizes.agents; ++i) {
     mimo_agent_info one = {0};
     one.struct_size = sizeof one;
     mimo_check(mimo_env_agent(all->first, i, &one));
-    mxSetFieldByNumber(agents, i, 0, mxCreateString(one.name));
-    mxSetFieldByNumber(agents, i, 1, mxCreateDoubleScalar(one.mass));
-    mxSetFieldByNumber(agents, i, 2, mxCreateDoubleScalar(one.height));
+    mimo_fill(agents, i, &one, mimo_agent_members);
   }
   return agents;
 }
@@ -44,39 +42,27 @@ static void info(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add(out[0], "agents", agents_of(all));
 }
 
-/* A row of a struct, a number for each world. */
-static double* new_row(mxArray* to, const char* name, size_t worlds) {
-  mxArray* row = mxCreateDoubleMatrix(1, worlds, mxREAL);
-  mxSetFieldByNumber(to, 0, mxAddField(to, name), row);
-  return mxGetPr(row);
-}
-
 /* struct = timing(number), or timing(number, 'reset') to count anew */
 static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  static const char* names[] = {"steps",  "total",          "physics",    "touch",
-                                "vision", "proprioception", "vestibular", "hearing"};
-  double* rows[8];
+  const member* one;
   worlds* all;
-  size_t world, i;
+  size_t world;
   (void)nout;
   mimo_need(nin == 1 || (nin == 2 && strcmp(mimo_text(in[1], "what"), "reset") == 0), "expected a world, and 'reset'");
   all = mimo_worlds_of(in[0]);
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  for (i = 0; i < 8; ++i) rows[i] = new_row(out[0], names[i], all->count);
+  out[0] = mimo_structs(1, mimo_timing_members);
+  for (one = mimo_timing_members; one->name != NULL; ++one)
+    mxSetField(out[0], 0, one->name, mxCreateDoubleMatrix(1, all->count, mxREAL));
   for (world = 0; world < all->count; ++world) {
     mimo_timing spent = {0};
     mimo_env* env = NULL;
+    mxArray* its;
     spent.struct_size = sizeof spent;
     mimo_check(mimo_batch_world(all->batch, world, &env));
     mimo_check(mimo_env_timing(env, &spent));
-    rows[0][world] = (double)spent.steps;
-    rows[1][world] = spent.total;
-    rows[2][world] = spent.physics;
-    rows[3][world] = spent.touch;
-    rows[4][world] = spent.vision;
-    rows[5][world] = spent.proprioception;
-    rows[6][world] = spent.vestibular;
-    rows[7][world] = spent.hearing;
+    its = mimo_struct(&spent, mimo_timing_members);
+    for (one = mimo_timing_members; one->name != NULL; ++one)
+      mxGetPr(mxGetField(out[0], 0, one->name))[world] = mxGetScalar(mxGetField(its, 0, one->name));
     if (nin == 2) mimo_check(mimo_env_timing_reset(env));
   }
 }
@@ -153,27 +139,23 @@ static void known(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 
 /* structs = parameters(), or parameters(scene) with the values that they have there */
 static void parameters(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  static const char* members[] = {"name", "description", "standard", "low", "high", "value"};
   mimo_scene* scene;
   size_t count = 0, i;
   (void)nout;
   mimo_need(nin <= 1, "expected nothing, or a scene");
   scene = nin == 1 ? mimo_scene_of(in[0]) : NULL;
   mimo_check(mimo_parameter_count(&count));
-  out[0] = mxCreateStructMatrix(count, 1, scene != NULL ? 6 : 5, members);
+  out[0] = mimo_structs(count, mimo_parameter_members);
+  if (scene != NULL) mxAddField(out[0], "value");
   for (i = 0; i < count; ++i) {
     mimo_parameter one = {0};
     double value = 0;
     one.struct_size = sizeof one;
     mimo_check(mimo_parameter_describe(i, &one));
-    mxSetFieldByNumber(out[0], i, 0, mxCreateString(one.name));
-    mxSetFieldByNumber(out[0], i, 1, mxCreateString(one.description));
-    mxSetFieldByNumber(out[0], i, 2, mxCreateDoubleScalar(one.standard));
-    mxSetFieldByNumber(out[0], i, 3, mxCreateDoubleScalar(one.low));
-    mxSetFieldByNumber(out[0], i, 4, mxCreateDoubleScalar(one.high));
+    mimo_fill(out[0], i, &one, mimo_parameter_members);
     if (scene == NULL) continue;
     mimo_check(mimo_scene_get_parameter(scene, one.name, &value));
-    mxSetFieldByNumber(out[0], i, 5, mxCreateDoubleScalar(value));
+    mxSetField(out[0], i, "value", mxCreateDoubleScalar(value));
   }
 }
 
@@ -183,18 +165,7 @@ static void maturity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 1, "expected an age");
   mimo_check(mimo_maturity_at(mimo_number(in[0], "age"), &at, sizeof at));
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
-  mimo_add_number(out[0], "acuity", at.acuity);
-  mimo_add_number(out[0], "peak_contrast", at.peak_contrast);
-  mimo_add_number(out[0], "chroma", at.chroma);
-  mimo_add_number(out[0], "flicker", at.flicker);
-  mimo_add_number(out[0], "contrast_threshold", at.contrast_threshold);
-  mimo_add_number(out[0], "conduction_speed", at.conduction_speed);
-  mimo_add_number(out[0], "sensory_delay", at.sensory_delay);
-  mimo_add_number(out[0], "motor_delay", at.motor_delay);
-  mimo_add_number(out[0], "vision_delay", at.vision_delay);
-  mimo_add_number(out[0], "vestibular_delay", at.vestibular_delay);
-  mimo_add_number(out[0], "hearing_delay", at.hearing_delay);
+  out[0] = mimo_struct(&at, mimo_maturity_options);
 }
 
 const mimo_command mimo_report_commands[] = {{"info", info},         {"timing", timing},

@@ -440,7 +440,7 @@ const quantity mimo_quantities[] = {
     {NULL, 0, 0, 0},
 };
 
-const option mimo_agent_options[] = {
+const member mimo_agent_options[] = {
     {"place", kSigned, 1, offsetof(mimo_agent_config, place), &mimo_place_words},
     {"name", kText, 1, offsetof(mimo_agent_config, name), NULL},
     {"body", kText, 1, offsetof(mimo_agent_config, body), NULL},
@@ -456,7 +456,7 @@ const option mimo_agent_options[] = {
     {"vision_fovy", kNumbers, 1, offsetof(mimo_agent_config, vision_fovy), NULL},
     {"vision_foveation", kNumbers, 1, offsetof(mimo_agent_config, vision_foveation), NULL},
     {"acts", kUnsigned, 1, offsetof(mimo_agent_config, acts), &mimo_act_words},
-    {"normalize_actions", kUnsigned, 1, offsetof(mimo_agent_config, normalize_actions), NULL},
+    {"normalize_actions", kSwitch, 1, offsetof(mimo_agent_config, normalize_actions), NULL},
     {"touch", kUnsigned, 1, offsetof(mimo_agent_config, touch), &mimo_touch_words},
     {"touch_response", kSigned, 1, offsetof(mimo_agent_config, touch_response), &mimo_touch_response_words},
     {"touch_frame", kSigned, 1, offsetof(mimo_agent_config, touch_frame), &mimo_touch_frame_words},
@@ -467,11 +467,11 @@ const option mimo_agent_options[] = {
     {"root", kText, 1, offsetof(mimo_agent_config, root), NULL},
     {"vestibular_at", kText, 1, offsetof(mimo_agent_config, vestibular_at), NULL},
     {"hearing", kUnsigned, 1, offsetof(mimo_agent_config, hearing), &mimo_hearing_words},
-    {"voice", kUnsigned, 1, offsetof(mimo_agent_config, voice), NULL},
+    {"voice", kSwitch, 1, offsetof(mimo_agent_config, voice), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_growth_options[] = {
+const member mimo_growth_options[] = {
     {"sex", kSigned, 1, offsetof(mimo_growth, sex), &mimo_sex_words},
     {"age", kNumbers, 1, offsetof(mimo_growth, age), NULL},
     {"physiological_age", kNumbers, 1, offsetof(mimo_growth, physiological_age), NULL},
@@ -484,36 +484,36 @@ const option mimo_growth_options[] = {
     {"neck_strength", kNumbers, 1, offsetof(mimo_growth, neck_strength), NULL},
     {"birth_tone", kNumbers, 1, offsetof(mimo_growth, birth_tone), NULL},
     {"contracture", kNumbers, 1, offsetof(mimo_growth, contracture), NULL},
-    {"absolute", kUnsigned, 1, offsetof(mimo_growth, absolute), NULL},
-    {"keep_spacing", kUnsigned, 1, offsetof(mimo_growth, keep_spacing), NULL},
+    {"absolute", kSwitch, 1, offsetof(mimo_growth, absolute), NULL},
+    {"keep_spacing", kSwitch, 1, offsetof(mimo_growth, keep_spacing), NULL},
     {"maturity", kUnsigned, 1, offsetof(mimo_growth, maturity), &mimo_mature_words},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_env_options[] = {
+const member mimo_env_options[] = {
     {"frame_skip", kUnsigned, 1, offsetof(mimo_env_config, frame_skip), NULL},
     {"jacobian", kSigned, 1, offsetof(mimo_env_config, jacobian), &mimo_jacobian_words},
     {"disable", kUnsigned, 1, offsetof(mimo_env_config, disable), &mimo_disable_words},
     {"renderer", kText, 1, offsetof(mimo_env_config, renderer), NULL},
     {"max_steps", kUnsigned, 1, offsetof(mimo_env_config, max_steps), NULL},
-    {"timing", kUnsigned, 1, offsetof(mimo_env_config, timing), NULL},
+    {"timing", kSwitch, 1, offsetof(mimo_env_config, timing), NULL},
     {"task", kText, 1, offsetof(mimo_env_config, task), NULL},
     {"render", kUnsigned, 1, offsetof(mimo_env_config, render), &mimo_render_words},
     {"samples", kUnsigned, 1, offsetof(mimo_env_config, samples), NULL},
     {"render_threads", kUnsigned, 1, offsetof(mimo_env_config, render_threads), NULL},
-    {"step_contacts", kUnsigned, 1, offsetof(mimo_env_config, step_contacts), NULL},
+    {"step_contacts", kSwitch, 1, offsetof(mimo_env_config, step_contacts), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_batch_options[] = {
+const member mimo_batch_options[] = {
     {"worlds", kUnsigned, 1, offsetof(mimo_batch_config, worlds), NULL},
     {"threads", kUnsigned, 1, offsetof(mimo_batch_config, threads), NULL},
     {"autoreset", kSigned, 1, offsetof(mimo_batch_config, autoreset), &mimo_autoreset_words},
-    {"restart_failed", kUnsigned, 1, offsetof(mimo_batch_config, restart_failed), NULL},
+    {"restart_failed", kSwitch, 1, offsetof(mimo_batch_config, restart_failed), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_scene_options[] = {
+const member mimo_scene_options[] = {
     {"model_dir", kText, 1, offsetof(mimo_scene_config, model_dir), NULL},
     {"max_file_bytes", kWide, 1, offsetof(mimo_scene_config, max_file_bytes), NULL},
     {"max_pixels", kWide, 1, offsetof(mimo_scene_config, max_pixels), NULL},
@@ -522,12 +522,12 @@ const option mimo_scene_options[] = {
     {"max_keyframes", kWide, 1, offsetof(mimo_scene_config, max_keyframes), NULL},
     {"max_iterations", kWide, 1, offsetof(mimo_scene_config, max_iterations), NULL},
     {"max_world_bytes", kWide, 1, offsetof(mimo_scene_config, max_world_bytes), NULL},
-    {"confined", kUnsigned, 1, offsetof(mimo_scene_config, confined), NULL},
+    {"confined", kSwitch, 1, offsetof(mimo_scene_config, confined), NULL},
     {"max_compile_ms", kWide, 1, offsetof(mimo_scene_config, max_compile_ms), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_object_options[] = {
+const member mimo_object_options[] = {
     {"shape", kSigned, 1, offsetof(mimo_object_config, shape), &mimo_shape_words},
     {"name", kText, 1, offsetof(mimo_object_config, name), NULL},
     {"size", kNumbers, 3, offsetof(mimo_object_config, size), NULL},
@@ -535,12 +535,12 @@ const option mimo_object_options[] = {
     {"orientation", kNumbers, 4, offsetof(mimo_object_config, orientation), NULL},
     {"mass", kNumbers, 1, offsetof(mimo_object_config, mass), NULL},
     {"rgba", kNumbers, 4, offsetof(mimo_object_config, rgba), NULL},
-    {"fixed", kUnsigned, 1, offsetof(mimo_object_config, fixed), NULL},
+    {"fixed", kSwitch, 1, offsetof(mimo_object_config, fixed), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_model_options[] = {
-    {"fixed", kUnsigned, 1, offsetof(mimo_model_config, fixed), NULL},
+const member mimo_model_options[] = {
+    {"fixed", kSwitch, 1, offsetof(mimo_model_config, fixed), NULL},
     {"name", kText, 1, offsetof(mimo_model_config, name), NULL},
     {"file", kText, 1, offsetof(mimo_model_config, file), NULL},
     {"xml", kText, 1, offsetof(mimo_model_config, xml), NULL},
@@ -549,26 +549,26 @@ const option mimo_model_options[] = {
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_camera_options[] = {
+const member mimo_camera_options[] = {
     {"outputs", kUnsigned, 1, offsetof(mimo_camera_config, outputs), &mimo_vision_words},
     {"name", kText, 1, offsetof(mimo_camera_config, name), NULL},
     {"height", kUnsigned, 1, offsetof(mimo_camera_config, height), NULL},
     {"width", kUnsigned, 1, offsetof(mimo_camera_config, width), NULL},
     {"fovy", kNumbers, 1, offsetof(mimo_camera_config, fovy), NULL},
-    {"placed", kUnsigned, 1, offsetof(mimo_camera_config, placed), NULL},
+    {"placed", kSwitch, 1, offsetof(mimo_camera_config, placed), NULL},
     {"body", kText, 1, offsetof(mimo_camera_config, body), NULL},
     {"position", kNumbers, 3, offsetof(mimo_camera_config, position), NULL},
     {"look_at", kNumbers, 3, offsetof(mimo_camera_config, look_at), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_field_options[] = {
+const member mimo_field_options[] = {
     {"name", kText, 1, offsetof(mimo_field_config, name), NULL},
     {"relative_to", kText, 1, offsetof(mimo_field_config, relative_to), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_limits_options[] = {
+const member mimo_limits_options[] = {
     {"delay", kNumbers, 1, offsetof(mimo_limits, delay), NULL},
     {"gain", kNumbers, 1, offsetof(mimo_limits, gain), NULL},
     {"noise", kNumbers, 1, offsetof(mimo_limits, noise), NULL},
@@ -577,8 +577,8 @@ const option mimo_limits_options[] = {
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_maturity_options[] = {
-    {"contrast_threshold", kUnsigned, 1, offsetof(mimo_maturity, contrast_threshold), NULL},
+const member mimo_maturity_options[] = {
+    {"contrast_threshold", kSwitch, 1, offsetof(mimo_maturity, contrast_threshold), NULL},
     {"acuity", kNumbers, 1, offsetof(mimo_maturity, acuity), NULL},
     {"peak_contrast", kNumbers, 1, offsetof(mimo_maturity, peak_contrast), NULL},
     {"chroma", kNumbers, 1, offsetof(mimo_maturity, chroma), NULL},
@@ -592,7 +592,7 @@ const option mimo_maturity_options[] = {
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_picture_options[] = {
+const member mimo_picture_options[] = {
     {"camera", kText, 1, offsetof(mimo_picture_config, camera), NULL},
     {"look_at", kNumbers, 3, offsetof(mimo_picture_config, look_at), NULL},
     {"distance", kNumbers, 1, offsetof(mimo_picture_config, distance), NULL},
@@ -603,7 +603,7 @@ const option mimo_picture_options[] = {
     {NULL, kText, 0, 0, NULL},
 };
 
-const option mimo_recorder_options[] = {
+const member mimo_recorder_options[] = {
     {"compression", kUnsigned, 1, offsetof(mimo_recorder_config, compression), NULL},
     {"keep", kText, 1, offsetof(mimo_recorder_config, keep), NULL},
     {"state_seconds", kNumbers, 1, offsetof(mimo_recorder_config, state_seconds), NULL},
@@ -611,6 +611,116 @@ const option mimo_recorder_options[] = {
     {"configuration", kText, 1, offsetof(mimo_recorder_config, configuration), NULL},
     {"seed", kWide, 1, offsetof(mimo_recorder_config, seed), NULL},
     {"hdf5", kText, 1, offsetof(mimo_recorder_config, hdf5), NULL},
-    {"replace", kUnsigned, 1, offsetof(mimo_recorder_config, replace), NULL},
+    {"replace", kSwitch, 1, offsetof(mimo_recorder_config, replace), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_action_members[] = {
+    {"name", kText, 1, offsetof(mimo_action, name), NULL},
+    {"unit", kText, 1, offsetof(mimo_action, unit), NULL},
+    {"agent", kSize, 1, offsetof(mimo_action, agent), NULL},
+    {"low", kNumbers, 1, offsetof(mimo_action, low), NULL},
+    {"high", kNumbers, 1, offsetof(mimo_action, high), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_agent_members[] = {
+    {"name", kText, 1, offsetof(mimo_agent_info, name), NULL},
+    {"mass", kNumbers, 1, offsetof(mimo_agent_info, mass), NULL},
+    {"height", kNumbers, 1, offsetof(mimo_agent_info, height), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_appearance_members[] = {
+    {"visible", kSwitch, 1, offsetof(mimo_appearance, visible), NULL},
+    {"group", kSigned, 1, offsetof(mimo_appearance, group), NULL},
+    {"texture", kSigned, 1, offsetof(mimo_appearance, texture), NULL},
+    {"color", kFloats, 4, offsetof(mimo_appearance, color), NULL},
+    {"emission", kFloats, 1, offsetof(mimo_appearance, emission), NULL},
+    {"specular", kFloats, 1, offsetof(mimo_appearance, specular), NULL},
+    {"shininess", kFloats, 1, offsetof(mimo_appearance, shininess), NULL},
+    {"reflectance", kFloats, 1, offsetof(mimo_appearance, reflectance), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_field_members[] = {
+    {"name", kText, 1, offsetof(mimo_field, name), NULL},
+    {"unit", kText, 1, offsetof(mimo_field, unit), NULL},
+    {"frame", kText, 1, offsetof(mimo_field, frame), NULL},
+    {"offset", kSize, 1, offsetof(mimo_field, offset), NULL},
+    {"bytes", kSize, 1, offsetof(mimo_field, bytes), NULL},
+    {"low", kNumbers, 1, offsetof(mimo_field, low), NULL},
+    {"high", kNumbers, 1, offsetof(mimo_field, high), NULL},
+    {"period", kNumbers, 1, offsetof(mimo_field, period), NULL},
+    {"receptors", kSize, 1, offsetof(mimo_field, receptors), NULL},
+    {"sample_rate", kNumbers, 1, offsetof(mimo_field, sample_rate), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_light_members[] = {
+    {"active", kSwitch, 1, offsetof(mimo_light, active), NULL},
+    {"directional", kSwitch, 1, offsetof(mimo_light, directional), NULL},
+    {"casts_shadow", kSwitch, 1, offsetof(mimo_light, casts_shadow), NULL},
+    {"cutoff", kFloats, 1, offsetof(mimo_light, cutoff), NULL},
+    {"exponent", kFloats, 1, offsetof(mimo_light, exponent), NULL},
+    {"position", kFloats, 3, offsetof(mimo_light, position), NULL},
+    {"direction", kFloats, 3, offsetof(mimo_light, direction), NULL},
+    {"ambient", kFloats, 3, offsetof(mimo_light, ambient), NULL},
+    {"diffuse", kFloats, 3, offsetof(mimo_light, diffuse), NULL},
+    {"specular", kFloats, 3, offsetof(mimo_light, specular), NULL},
+    {"attenuation", kFloats, 3, offsetof(mimo_light, attenuation), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_parameter_members[] = {
+    {"name", kText, 1, offsetof(mimo_parameter, name), NULL},
+    {"description", kText, 1, offsetof(mimo_parameter, description), NULL},
+    {"standard", kNumbers, 1, offsetof(mimo_parameter, standard), NULL},
+    {"low", kNumbers, 1, offsetof(mimo_parameter, low), NULL},
+    {"high", kNumbers, 1, offsetof(mimo_parameter, high), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_recording_members[] = {
+    {"format_version", kUnsigned, 1, offsetof(mimo_recording_info, format_version), NULL},
+    {"same_build", kSwitch, 1, offsetof(mimo_recording_info, same_build), NULL},
+    {"steps", kSize, 1, offsetof(mimo_recording_info, steps), NULL},
+    {"states", kSize, 1, offsetof(mimo_recording_info, states), NULL},
+    {"actions", kSize, 1, offsetof(mimo_recording_info, actions), NULL},
+    {"agents", kSize, 1, offsetof(mimo_recording_info, agents), NULL},
+    {"bodies", kSize, 1, offsetof(mimo_recording_info, bodies), NULL},
+    {"step_seconds", kNumbers, 1, offsetof(mimo_recording_info, step_seconds), NULL},
+    {"build", kText, 1, offsetof(mimo_recording_info, build), NULL},
+    {"this_build", kText, 1, offsetof(mimo_recording_info, this_build), NULL},
+    {"configuration", kText, 1, offsetof(mimo_recording_info, configuration), NULL},
+    {"seed", kText, 1, offsetof(mimo_recording_info, seed), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_replay_report_members[] = {
+    {"identical", kSwitch, 1, offsetof(mimo_replay_report, identical), NULL},
+    {"next", kSize, 1, offsetof(mimo_replay_report, next), NULL},
+    {"steps", kSize, 1, offsetof(mimo_replay_report, steps), NULL},
+    {"first_difference", kSize, 1, offsetof(mimo_replay_report, first_difference), NULL},
+    {"largest_difference", kNumbers, 1, offsetof(mimo_replay_report, largest_difference), NULL},
+    {"differs_most_in", kText, 1, offsetof(mimo_replay_report, differs_most_in), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_term_members[] = {
+    {"name", kText, 1, offsetof(mimo_term, name), NULL},
+    {"agent", kSize, 1, offsetof(mimo_term, agent), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_timing_members[] = {
+    {"steps", kWide, 1, offsetof(mimo_timing, steps), NULL},
+    {"total", kNumbers, 1, offsetof(mimo_timing, total), NULL},
+    {"physics", kNumbers, 1, offsetof(mimo_timing, physics), NULL},
+    {"touch", kNumbers, 1, offsetof(mimo_timing, touch), NULL},
+    {"vision", kNumbers, 1, offsetof(mimo_timing, vision), NULL},
+    {"proprioception", kNumbers, 1, offsetof(mimo_timing, proprioception), NULL},
+    {"vestibular", kNumbers, 1, offsetof(mimo_timing, vestibular), NULL},
+    {"hearing", kNumbers, 1, offsetof(mimo_timing, hearing), NULL},
     {NULL, kText, 0, 0, NULL},
 };

@@ -17,15 +17,15 @@ typedef struct enumeration {
   const word* words;
 } enumeration;
 
-/* A member of a struct that can be set by its name. A list of them ends with a name that is NULL. */
-typedef enum kind { kUnsigned, kWide, kSigned, kNumbers, kText } kind;
-typedef struct option {
+/* A member of a struct of mimo.h. A list of them ends with a name that is NULL. */
+typedef enum kind { kSwitch, kUnsigned, kWide, kSize, kSigned, kFloats, kNumbers, kText } kind;
+typedef struct member {
   const char* name;
   kind kind;
   size_t count; /* of numbers: how many */
   size_t offset;
   const enumeration* words; /* NULL: it takes none */
-} option;
+} member;
 
 typedef struct quantity {
   const char* name;
