@@ -469,7 +469,8 @@ namespace Mimo
         Warning = 14
     }
 
-    /// <summary>What can be read of things, and in part written.</summary>
+    /// <summary>Values of things. Each names its kind, the number of values per thing, and their meaning. Writable
+    /// ones can be set. W: worlds of one model may differ in it, and a set value survives resets.</summary>
     public enum Quantity
     {
         /// <summary>Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.</summary>

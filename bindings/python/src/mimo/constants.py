@@ -611,7 +611,11 @@ class Kind(IntEnum):
 
 
 class Quantity(IntEnum):
-    """What can be read of things, and in part written."""
+    """Values of things.
+
+    Each names its kind, the number of values per thing, and their meaning. Writable ones can be set. W: worlds of one
+    model may differ in it, and a set value survives resets.
+    """
 
     JOINT_POSITION = 1
     """Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."""

@@ -445,7 +445,8 @@ values! {
 }
 
 values! {
-    /// What can be read of things, and in part written.
+    /// Values of things. Each names its kind, the number of values per thing, and their meaning. Writable ones can be set.
+    /// W: worlds of one model may differ in it, and a set value survives resets.
     Quantity: i32
     /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
     JOINT_POSITION = MIMO_JOINT_POSITION,
