@@ -15,7 +15,7 @@ LAWS = {
         ("that fades until {} months", "growth/tone.cpp"),
     ],
     "guide/skin.md": [
-        ("thin ones take more: cold {}/{}, fast pain {}/{} of large", "senses/touch/skin_sense.cpp"),
+        ("thin fibres are slower: cold {}/{}, fast pain {}/{} of large", "senses/touch/skin_sense.cpp"),
         ("warm {} m/s, slow pain {} m/s", "senses/touch/skin_sense.cpp"),
         ("| SA1 | min({}, {} (d - {} mm) + {} v)", "receptors/touch_afferents.cpp"),
         ("| RA | {} u/(u + {}), u = \\|v\\| - {} mm/s", "receptors/touch_afferents.cpp"),
@@ -27,7 +27,7 @@ LAWS = {
         ("warm = {} exp(-((T - {})/{})^2) + {} dT/dt", "receptors/thermoreceptors.cpp"),
         ("Hertz on soft tissue ({} MPa)", "receptors/nociceptors.cpp"),
         ("| fast | {} (x - 1) ({} + {} exp(-t/1 s))", "receptors/nociceptors.cpp", "receptors/nociceptors.h"),
-        ("since it was crossed, + {} (T - {}); at most {} |", "receptors/nociceptors.cpp", "receptors/nociceptors.h"),
+        ("since x exceeded 1, + {} (T - {}); at most {} |", "receptors/nociceptors.cpp", "receptors/nociceptors.h"),
         (
             "| slow | {} (x - {}) + {} (T - {}) + ({} - T); at most {} |",
             "receptors/nociceptors.cpp",

@@ -129,7 +129,9 @@ def test_balance_in_tests():
     page.tested("| a constant {} g to one side | taken for a tilt of {} degrees", LABYRINTH)
     page.tested("a static gain, as afferents do: {} and", LABYRINTH)
     page.says("adds {} Hz to the left utricle's outward afferents", 46.165)
-    page.says("K T2/T1, the gain at medium frequencies, is {} for regular and {} for", 2.83 * 2.7 / 17.5, 27.09 * 0.6 / 30)
+    page.says(
+        "K T2/T1, the gain at medium frequencies, is {} for regular and {} for", 2.83 * 2.7 / 17.5, 27.09 * 0.6 / 30
+    )
 
 
 @lru_cache(maxsize=None)
@@ -189,7 +191,7 @@ def test_skin_in_tests():
     page.tested("| SA1, ramp to 1 mm at {}, {}, {}, {} mm/s | {}, {}, {}, {} |", SKIN)
     page.tested("| RA, at {}, {}, {}, {}, {} mm/s | {}, {}, {}, {}, {} | {}, {}, {}, {}, {} |", SKIN)
     page.tested("in a room of {}, with a time constant of {} s", SKIN)
-    page.tested("divide a territory among its parts: {} at fingertips, {} in palms", SKIN)
+    page.tested("divide a region among its parts: {} at fingertips, {} in palms", SKIN)
     page.tested("{} are in both hands and {} in the face", SKIN)
     page.tested("trunk {}, arms 30,240, thighs 23,940, lower legs 17,640, feet {}.", SKIN)
     page.tested("| {} | {} | 29.48 | {} | {} | 32.09 | {} |", SKIN)
