@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "mimo_tables.h"
+#include "mimo_words.h"
 
 /* What is read or written: a quantity of things that are named, one or a cell array of them; or of all, with ids NULL.
  */

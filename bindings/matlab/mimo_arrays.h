@@ -2,6 +2,7 @@
 #ifndef MIMO_MATLAB_ARRAYS_H
 #define MIMO_MATLAB_ARRAYS_H
 
+#include "mimo_base.h"
 #include "mimo_tables.h"
 
 /* Blocks of bytes, one behind the other, that a field lies in. */

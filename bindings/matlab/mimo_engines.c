@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "mimo_arrays.h"
-#include "mimo_tables.h"
+#include "mimo_words.h"
 
 static int32_t read_axes(const mxArray* name) { return (int32_t)mimo_value_of(name, "axes", &mimo_axes_words); }
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "mimo_arrays.h"
-#include "mimo_tables.h"
+#include "mimo_words.h"
 
 enum { kName = 128 };
 

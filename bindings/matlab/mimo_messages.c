@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "mimo_tables.h"
+#include "mimo_words.h"
 
 enum { kKept = 256, kLength = 1024 };
 

@@ -3,7 +3,7 @@
 #ifndef MIMO_MATLAB_TABLES_H
 #define MIMO_MATLAB_TABLES_H
 
-#include "mimo_words.h"
+#include "mimo_members.h"
 
 extern const enumeration mimo_status_words;
 extern const enumeration mimo_log_level_words;

@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "mimo_tables.h"
-
 /* "body, geom, position or frame" */
 static const char* list(const enumeration* from) {
   static char text[1024];

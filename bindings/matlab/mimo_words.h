@@ -2,36 +2,8 @@
 #ifndef MIMO_MATLAB_WORDS_H
 #define MIMO_MATLAB_WORDS_H
 
-#include <stdint.h>
-
 #include "mimo_base.h"
-
-typedef struct word {
-  const char* text;
-  int64_t value;
-} word;
-
-/* A list of words, which ends with a text that is NULL. */
-typedef struct enumeration {
-  int combine; /* whether several may be given */
-  const word* words;
-} enumeration;
-
-/* A member of a struct of mimo.h. A list of them ends with a name that is NULL. */
-typedef enum kind { kSwitch, kUnsigned, kWide, kSize, kSigned, kFloats, kNumbers, kText } kind;
-typedef struct member {
-  const char* name;
-  kind kind;
-  size_t count; /* of numbers: how many */
-  size_t offset;
-  const enumeration* words; /* NULL: it takes none */
-} member;
-
-typedef struct quantity {
-  const char* name;
-  int32_t kind, number;
-  size_t each; /* of contacts, which have no names: how many values each has; 0: the others have names */
-} quantity;
+#include "mimo_tables.h"
 
 /* The value of a word, of several, or of a number, which stands for itself. */
 int64_t mimo_value_of(const mxArray* given, const char* what, const enumeration* from);

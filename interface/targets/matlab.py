@@ -126,7 +126,7 @@ def header(api) -> str:
     return (
         f"/* {NOTICE} */\n/* clang-format off */\n"
         "#ifndef MIMO_MATLAB_TABLES_H\n#define MIMO_MATLAB_TABLES_H\n\n"
-        '#include "mimo_words.h"\n\n'
+        '#include "mimo_members.h"\n\n'
         f"{externs}extern const quantity mimo_quantities[]; /* ends with a name that is NULL */\n\n#endif\n"
     )
 
