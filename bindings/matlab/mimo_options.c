@@ -4,6 +4,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "mimo_words.h"
+
 const member mimo_no_options[] = {{NULL, kText, 0, 0, NULL}};
 
 static void refuse(const char* name, const char* expected) { mimo_refuse("%s: expected %s", name, expected); }

@@ -6,6 +6,7 @@
 
 #include "mimo_messages.h"
 #include "mimo_options.h"
+#include "mimo_words.h"
 
 /* What adds a thing to a scene, of what is given. It gives the thing's number where it has one, else 0. */
 typedef double (*adder)(mimo_scene* scene, properties* given);

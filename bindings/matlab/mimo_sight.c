@@ -5,6 +5,7 @@
 
 #include "mimo_arrays.h"
 #include "mimo_options.h"
+#include "mimo_words.h"
 
 /* struct = gaze(number, index, agent) */
 static void gaze(int nout, mxArray* out[], int nin, const mxArray* in[]) {
