@@ -82,12 +82,12 @@ LAWS = {
         ("found {}/s for canals of {} s", "receptors/gravity_estimate.cpp"),
     ],
     "guide/hearing.md": [
-        ("Two bodies sound once in {} ms at most. Blows below", "senses/hearing/soundscape.cpp"),
-        ("Up to {} blows are heard at once", "hearing/ears.h"),
-        ("ears lie {} degrees to both sides", "hearing/head.cpp"),
+        ("A pair of bodies sounds at most once in {} ms. Impacts below", "senses/hearing/soundscape.cpp"),
+        ("Up to {} impacts sound at once", "hearing/ears.h"),
+        ("the ears are {} degrees to both sides", "hearing/head.cpp"),
         ("(the sum of its three sides: up to {}, {}, {}, {}, {} m and more)", "sound/ringing.cpp"),
         ("a random height for every {} mm", "sound/scrape.cpp"),
-        ("slide faster than {} cm/s give noise", "sound/scrape.h"),
+        ("slide faster than {} cm/s make noise", "sound/scrape.h"),
     ],
     "guide/maturity.md": [
         ("with w = {} below its peak fp and {} above", "observation/eyesight.cpp"),

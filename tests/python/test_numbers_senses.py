@@ -155,19 +155,19 @@ def test_how_loud_a_cry_is():
     page.says("a cry of up to {} Pa at the own ears", np.abs(cry).max())
     at_ears = 10 * np.log10(np.mean(np.square(cry[16000:], dtype=np.float64)) / 4e-10)
     page.says("1 a cry of {} dB at 1 m", at_ears - 17, within=1)
-    page.tested("At its own ears it is {} dB louder than at 1 m", "unit/hearing/ears_test.cpp")
+    page.tested("At the infant's own ears it is {} dB louder than at 1 m", "unit/hearing/ears_test.cpp")
 
 
 def test_hearing_in_tests():
     page, ears = Page("guide/hearing.md"), "unit/hearing/ears_test.cpp"
-    page.tested("late by its distance over {} m/s", ears)
+    page.tested("delayed by its distance over {} m/s", ears)
     page.tested("at 250, 500 and 1000 Hz, 2 m away, all azimuths | within {} µs", ears)
     page.tested("at 1 to 4 kHz, 2 m away, all azimuths | within {} dB; {} at 250 and 500 Hz", ears)
     page.tested("15 cm to 1 m away | within {} dB; from the side at 25 cm and 250 Hz {} dB", ears)
     page.tested("hardwood on hardwood at {} m/s and {} N gives {} dB", "unit/sound/scrape_test.cpp")
     page.tested("gives {} dB (sound exposure level", "unit/sound/strike_test.cpp")
     voices = "unit/growth/voice_test.cpp"
-    page.tested("around that of its age: {} Hz at 3 months, {} at 6, {} from 9 on", voices)
+    page.tested("around the pitch of its age: {} Hz at 3 months, {} at 6, {} from 9 on", voices)
     page.tested("of {} cm at birth and {} at 24 months: {}, {}, {} and {}, {}, {} Hz", voices)
 
 
@@ -181,7 +181,7 @@ def test_sound_in_steps():
     scene.add_agent(vision=False, touch=False, hearing=True)
     with mimo.World(scene) as world:
         samples = world.layout.fields["hearing/ear_left"].shape[0]
-        claim = "{} in the 5 ms of built-in scenes, so 16 000 a second, and {} in a step of two"
+        claim = "{} in the 5 ms of built-in scenes, so 16 000 per second, and {} in an environment step of two"
         Page("guide/hearing.md").says(claim, samples / world.frame_skip, samples)
 
 
