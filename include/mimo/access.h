@@ -28,118 +28,131 @@ extern "C" {
 
 /*
  * Quantities: kind, how many values each element has, what they are. "Writable" ones can be set. Those marked W differ
- * from world to world: what is set there outlives resets. All of what can be set is part of the saved state, but for
- * MIMO_WARNING_COUNT.
+ * from world to world: what is set there outlives resets. Everything that can be set is part of the saved state, except
+ * MIMO_WARNING_STEPS. A quantity's number is its kind * 256 + 1, 2, ..., so that no quantity can be taken for a kind.
  */
-#define MIMO_JOINT_POSITION 1 /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
-#define MIMO_JOINT_VELOCITY 2 /**< Joint: 1, 3 or 6. Writable. */
-/**
- * Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
- */
-#define MIMO_JOINT_FORCE 3
-#define MIMO_JOINT_ACCELERATION 4 /**< Joint: 1, 3 or 6. */
-#define MIMO_JOINT_RANGE 5        /**< Joint: 2, low and high; -inf and inf when not limited. */
+
 /**
  * Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without
  * joints.
  */
-#define MIMO_BODY_POSITION 6
-#define MIMO_BODY_ORIENTATION 7 /**< Body: 4, w x y z. Writable as MIMO_BODY_POSITION. */
-#define MIMO_BODY_VELOCITY 8    /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
+#define MIMO_BODY_POSITION 0x0101
+#define MIMO_BODY_ORIENTATION 0x0102 /**< Body: 4, w x y z. Writable as MIMO_BODY_POSITION. */
+#define MIMO_BODY_VELOCITY 0x0103    /**< Body: 6, linear (m/s) of its origin and angular (rad/s), world frame. */
 /**
  * Body: 6, force and torque at its centre of mass, world. Writable as MIMO_JOINT_FORCE.
  */
-#define MIMO_BODY_FORCE 9
-#define MIMO_BODY_MASS 10           /**< Body: 1, kg, > 0. Writable, W: its inertia grows along. */
-#define MIMO_BODY_CENTER_OF_MASS 11 /**< Body: 3, of the body alone, world, m. */
-#define MIMO_GEOM_POSITION 12       /**< Geom: 3, world, m. */
-#define MIMO_GEOM_ORIENTATION 13    /**< Geom: 4, w x y z. */
-/**
- * Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes and
- * height fields: what touches and what is seen; mass, inertia and touch sensors stay.
- */
-#define MIMO_GEOM_SIZE 14
-#define MIMO_SITE_POSITION 15      /**< Site: 3, world, m. */
-#define MIMO_SITE_ORIENTATION 16   /**< Site: 4, w x y z. */
-#define MIMO_CAMERA_POSITION 17    /**< Camera: 3, world, m. */
-#define MIMO_CAMERA_ORIENTATION 18 /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
-#define MIMO_ACTUATOR_CONTROL 19   /**< Actuator: 1, control input. Writable. */
-#define MIMO_ACTUATOR_FORCE 20     /**< Actuator: 1, N or Nm. */
-#define MIMO_SENSOR_VALUE 21       /**< Sensor: its dimension. */
-#define MIMO_ACTUATOR_GEAR 22      /**< Actuator: 1, Nm at control 1. Writable, W. */
-#define MIMO_BODY_POSE 23          /**< Body: 7, position and orientation. Writable as MIMO_BODY_POSITION. */
-#define MIMO_GEOM_POSE 24          /**< Geom: 7, position and orientation. */
-#define MIMO_SITE_POSE 25          /**< Site: 7, position and orientation. */
-#define MIMO_CAMERA_POSE 26        /**< Camera: 7, position and orientation. */
-/**
- * Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
- * model says. Writable, W.
- */
-#define MIMO_GEOM_FRICTION 27
-/**
- * Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
- * material. Writable, W.
- */
-#define MIMO_GEOM_COLOR 28
-#define MIMO_JOINT_DAMPING 29 /**< Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W. */
-/**
- * Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see mimo_env_set.
- * 0 and 0 where nothing could hold it.
- */
-#define MIMO_JOINT_LOCK 30
-#define MIMO_LIGHT_POSITION 31       /**< Light: 3, m, in the frame of its body, mostly the world. Writable, W. */
-#define MIMO_LIGHT_DIRECTION 32      /**< Light: 3, unit vector in that frame. Writable (any length), W. */
-#define MIMO_LIGHT_COLOR 33          /**< Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W. */
-#define MIMO_CONTACT_GEOMS 34        /**< Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4). */
-#define MIMO_CONTACT_BODIES 35       /**< Contact: 2, ids of their bodies; of a flex that of the nearest vertex. */
-#define MIMO_CONTACT_POSITION 36     /**< Contact: 3, world, m. */
-#define MIMO_CONTACT_FRAME 37        /**< Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world. */
-#define MIMO_CONTACT_DISTANCE 38     /**< Contact: 1, m; negative: how deep the geoms overlap, of boxes too. */
-#define MIMO_CONTACT_FORCE 39        /**< Contact: 3, on the second body, in the contact's frame, N. */
-#define MIMO_CONTACT_TORQUE 40       /**< Contact: 3, on the second body, in the contact's frame, Nm. */
-#define MIMO_STEP_CONTACT_GEOMS 41   /**< Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4). */
-#define MIMO_STEP_CONTACT_BODIES 42  /**< Step contact: 2, ids of their bodies. */
-#define MIMO_STEP_CONTACT_START 43   /**< Step contact: 1, when they first touched, s since the step's start. */
-#define MIMO_STEP_CONTACT_END 44     /**< Step contact: 1, when they last touched, s since the step's start. */
-#define MIMO_STEP_CONTACT_IMPULSE 45 /**< Step contact: 3, on the second body over the step, world, N s. */
-/**
- * Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.
- */
-#define MIMO_STEP_CONTACT_PEAK_FORCE 46
-#define MIMO_STEP_CONTACT_PEAK_POSITION 47 /**< Step contact: 3, of the strongest contact at that time, world, m. */
-/**
- * Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face.
- */
-#define MIMO_AGENT_FACE 48
-#define MIMO_WORLD_GRAVITY 49 /**< World: 3, m/s^2, world frame. Writable, W. */
-/**
- * Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable with
- * 0, to count anew.
- */
-#define MIMO_WARNING_COUNT 50
-#define MIMO_SITE_VELOCITY 51 /**< Site: 6, linear (m/s) of its position and angular (rad/s), world frame. */
-/**
- * Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
- * docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
- */
-#define MIMO_AGENT_GOAL 52
-#define MIMO_AGENT_ACHIEVED 53 /**< Agent: see MIMO_AGENT_GOAL. */
-/**
- * Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
- */
-#define MIMO_AGENT_AGE 54
-#define MIMO_AGENT_PHYSIOLOGICAL_AGE 55 /**< Agent: 1, months, of strength, range of motion and tone; likewise. */
+#define MIMO_BODY_FORCE 0x0104
+#define MIMO_BODY_MASS 0x0105           /**< Body: 1, kg, > 0. Writable, W: its inertia grows along. */
+#define MIMO_BODY_CENTER_OF_MASS 0x0106 /**< Body: 3, of the body alone, world, m. */
+#define MIMO_BODY_POSE 0x0107           /**< Body: 7, position and orientation. Writable as MIMO_BODY_POSITION. */
 /**
  * Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
  * way; 0 for what is no part of one.
  */
-#define MIMO_BODY_NERVE_LENGTH 56
+#define MIMO_BODY_NERVE_LENGTH 0x0108
+
+#define MIMO_JOINT_POSITION 0x0201 /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
+#define MIMO_JOINT_VELOCITY 0x0202 /**< Joint: 1, 3 or 6. Writable. */
+/**
+ * Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
+ */
+#define MIMO_JOINT_FORCE 0x0203
+#define MIMO_JOINT_ACCELERATION 0x0204 /**< Joint: 1, 3 or 6. */
+#define MIMO_JOINT_RANGE 0x0205        /**< Joint: 2, low and high; -inf and inf when not limited. */
+#define MIMO_JOINT_DAMPING 0x0206      /**< Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W. */
+/**
+ * Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see mimo_env_set.
+ * 0 and 0 where nothing could hold it.
+ */
+#define MIMO_JOINT_LOCK 0x0207
+
+#define MIMO_GEOM_POSITION 0x0301    /**< Geom: 3, world, m. */
+#define MIMO_GEOM_ORIENTATION 0x0302 /**< Geom: 4, w x y z. */
+/**
+ * Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes and
+ * height fields: what touches and what is seen; mass, inertia and touch sensors stay.
+ */
+#define MIMO_GEOM_SIZE 0x0303
+#define MIMO_GEOM_POSE 0x0304 /**< Geom: 7, position and orientation. */
+/**
+ * Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
+ * model says. Writable, W.
+ */
+#define MIMO_GEOM_FRICTION 0x0305
+/**
+ * Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
+ * material. Writable, W.
+ */
+#define MIMO_GEOM_COLOR 0x0306
+
+#define MIMO_SITE_POSITION 0x0401    /**< Site: 3, world, m. */
+#define MIMO_SITE_ORIENTATION 0x0402 /**< Site: 4, w x y z. */
+#define MIMO_SITE_POSE 0x0403        /**< Site: 7, position and orientation. */
+#define MIMO_SITE_VELOCITY 0x0404    /**< Site: 6, linear (m/s) of its position and angular (rad/s), world frame. */
+
+#define MIMO_CAMERA_POSITION 0x0501    /**< Camera: 3, world, m. */
+#define MIMO_CAMERA_ORIENTATION 0x0502 /**< Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture. */
+#define MIMO_CAMERA_POSE 0x0503        /**< Camera: 7, position and orientation. */
+
+#define MIMO_ACTUATOR_CONTROL 0x0601 /**< Actuator: 1, control input. Writable. */
+#define MIMO_ACTUATOR_FORCE 0x0602   /**< Actuator: 1, N or Nm. */
+#define MIMO_ACTUATOR_GEAR 0x0603    /**< Actuator: 1, Nm at control 1. Writable, W. */
 /**
  * Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that pulls
  * to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its agent
  * senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
  */
-#define MIMO_ACTUATOR_FUSIMOTOR_DRIVE 57
+#define MIMO_ACTUATOR_FUSIMOTOR_DRIVE 0x0604
+
+#define MIMO_SENSOR_VALUE 0x0701 /**< Sensor: its dimension. */
+
+#define MIMO_LIGHT_POSITION 0x0801  /**< Light: 3, m, in the frame of its body, mostly the world. Writable, W. */
+#define MIMO_LIGHT_DIRECTION 0x0802 /**< Light: 3, unit vector in that frame. Writable (any length), W. */
+#define MIMO_LIGHT_COLOR 0x0803     /**< Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W. */
+
+#define MIMO_CONTACT_GEOMS 0x0901    /**< Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4). */
+#define MIMO_CONTACT_BODIES 0x0902   /**< Contact: 2, ids of their bodies; of a flex that of the nearest vertex. */
+#define MIMO_CONTACT_POSITION 0x0903 /**< Contact: 3, world, m. */
+#define MIMO_CONTACT_FRAME 0x0904    /**< Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world. */
+#define MIMO_CONTACT_DISTANCE 0x0905 /**< Contact: 1, m; negative: how deep the geoms overlap, of boxes too. */
+#define MIMO_CONTACT_FORCE 0x0906    /**< Contact: 3, on the second body, in the contact's frame, N. */
+#define MIMO_CONTACT_TORQUE 0x0907   /**< Contact: 3, on the second body, in the contact's frame, Nm. */
+
+#define MIMO_STEP_CONTACT_GEOMS 0x0a01   /**< Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4). */
+#define MIMO_STEP_CONTACT_BODIES 0x0a02  /**< Step contact: 2, ids of their bodies. */
+#define MIMO_STEP_CONTACT_START 0x0a03   /**< Step contact: 1, when they first touched, s since the step's start. */
+#define MIMO_STEP_CONTACT_END 0x0a04     /**< Step contact: 1, when they last touched, s since the step's start. */
+#define MIMO_STEP_CONTACT_IMPULSE 0x0a05 /**< Step contact: 3, on the second body over the step, world, N s. */
+/**
+ * Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.
+ */
+#define MIMO_STEP_CONTACT_PEAK_FORCE 0x0a06
+#define MIMO_STEP_CONTACT_PEAK_POSITION 0x0a07 /**< Step contact: 3, of the strongest contact at that time, world, m. */
+
+/**
+ * Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face.
+ */
+#define MIMO_AGENT_FACE 0x0b01
+/**
+ * Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
+ * docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+ */
+#define MIMO_AGENT_GOAL 0x0b02
+#define MIMO_AGENT_ACHIEVED 0x0b03 /**< Agent: see MIMO_AGENT_GOAL. */
+/**
+ * Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
+ */
+#define MIMO_AGENT_AGE 0x0b04
+#define MIMO_AGENT_PHYSIOLOGICAL_AGE 0x0b05 /**< Agent: 1, months, of strength, range of motion and tone; likewise. */
+
+#define MIMO_WORLD_GRAVITY 0x0d01 /**< World: 3, m/s^2, world frame. Writable, W. */
+
+/**
+ * Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable with
+ * 0, to count anew.
+ */
+#define MIMO_WARNING_STEPS 0x0e01
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by
@@ -159,25 +172,25 @@ extern "C" {
  */
 
 /** Number of elements of a kind (MIMO_BODY ...) in the world. */
-MIMO_API mimo_status mimo_env_count(const mimo_env *env, int32_t kind, size_t *count) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_count(const mimo_env *env, mimo_kind kind, size_t *count) MIMO_NOEXCEPT;
 
 /**
  * Finds an element by its name.
  * Errors: MIMO_E_NOT_FOUND; the message lists existing names.
  */
-MIMO_API mimo_status mimo_env_find(const mimo_env *env, int32_t kind, const char *name, int32_t *id) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_find(const mimo_env *env, mimo_kind kind, const char *name, int32_t *id) MIMO_NOEXCEPT;
 
 /** Name of an element; "" if it has none. The string is owned by the environment. */
-MIMO_API mimo_status mimo_env_name(const mimo_env *env, int32_t kind, int32_t id, const char **name) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_name(const mimo_env *env, mimo_kind kind, int32_t id, const char **name) MIMO_NOEXCEPT;
 
 /** The body that a joint, geom, site, camera or light belongs to, or the parent of a body. */
-MIMO_API mimo_status mimo_env_body_of(const mimo_env *env, int32_t kind, int32_t id, int32_t *body) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_body_of(const mimo_env *env, mimo_kind kind, int32_t id, int32_t *body) MIMO_NOEXCEPT;
 
 /**
  * Number of values of a quantity (MIMO_JOINT_POSITION ...) for a list of ids together.
  * @param ids NULL with id_count 0: all of the quantity's kind.
  */
-MIMO_API mimo_status mimo_env_width(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+MIMO_API mimo_status mimo_env_width(const mimo_env *env, mimo_quantity quantity, const int32_t *ids, size_t id_count,
                                     size_t *value_count) MIMO_NOEXCEPT;
 
 /**
@@ -193,11 +206,11 @@ MIMO_API mimo_status mimo_env_width(const mimo_env *env, int32_t quantity, const
  * @param value_count length of values, as mimo_env_width gives it.
  * Errors: MIMO_E_INVALID_ARGUMENT for MIMO_NOW with a quantity that only physics steps compute.
  */
-MIMO_API mimo_status mimo_env_get(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+MIMO_API mimo_status mimo_env_get(const mimo_env *env, mimo_quantity quantity, const int32_t *ids, size_t id_count,
                                   double *values, size_t value_count) MIMO_NOEXCEPT;
 
 /** The same in single precision, for engines. */
-MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, mimo_quantity quantity, const int32_t *ids, size_t id_count,
                                         float *values, size_t value_count) MIMO_NOEXCEPT;
 
 /**
@@ -210,7 +223,7 @@ MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, int32_t quantity, c
  *         range; MIMO_E_UNSUPPORTED for a lock of a joint without an equality for it, or under position control; for a
  *         light that follows a body; for the face of an agent without faces. Nothing is written then.
  */
-MIMO_API mimo_status mimo_env_set(mimo_env *env, int32_t quantity, const int32_t *ids, size_t id_count,
+MIMO_API mimo_status mimo_env_set(mimo_env *env, mimo_quantity quantity, const int32_t *ids, size_t id_count,
                                   const double *values, size_t value_count) MIMO_NOEXCEPT;
 
 /**

@@ -177,17 +177,17 @@ MIMO_API mimo_status mimo_batch_observe(mimo_batch *batch, const uint8_t *mask, 
  * @param values worlds x the width that mimo_env_width gives for the ids.
  * Errors: MIMO_E_INVALID_ARGUMENT for contacts, of which worlds have different numbers.
  */
-MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
+MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, mimo_quantity quantity, const int32_t *ids, size_t id_count,
                                     const uint8_t *mask, size_t worlds, double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
 
 /** The same in single precision, for engines. */
-MIMO_API mimo_status mimo_batch_get_float(const mimo_batch *batch, int32_t quantity, const int32_t *ids,
+MIMO_API mimo_status mimo_batch_get_float(const mimo_batch *batch, mimo_quantity quantity, const int32_t *ids,
                                           size_t id_count, const uint8_t *mask, size_t worlds, float *values,
                                           size_t value_count) MIMO_NOEXCEPT;
 
 /** Writes a quantity of many ids in many worlds, as mimo_env_set. All values are checked before any is written. */
-MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, int32_t quantity, const int32_t *ids, size_t id_count,
+MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, mimo_quantity quantity, const int32_t *ids, size_t id_count,
                                     const uint8_t *mask, size_t worlds, const double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
 

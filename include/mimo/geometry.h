@@ -40,7 +40,7 @@ MIMO_API mimo_status mimo_convert_directions(int32_t axes, float *directions, si
  * @param value_count length of poses: seven times mimo_env_count.
  * A camera looks along its own -z axis in libmimo's frame, and along the converted axis in another one.
  */
-MIMO_API mimo_status mimo_env_poses(const mimo_env *env, int32_t kind, int32_t axes, float *poses,
+MIMO_API mimo_status mimo_env_poses(const mimo_env *env, mimo_kind kind, int32_t axes, float *poses,
                                     size_t value_count) MIMO_NOEXCEPT;
 
 /**

@@ -14,7 +14,7 @@ extern "C" {
 #define MIMO_LOG_WARNING 1 /**< Something is probably not as the user intended. */
 #define MIMO_LOG_INFO 2    /**< Useful to know, told once. */
 
-/* Warnings of the physics; also the ids of MIMO_WARNING_COUNT. */
+/* Warnings of the physics; also the ids of MIMO_WARNING_STEPS. */
 #define MIMO_WARNING_CONTACTS_DROPPED 1    /**< More contacts than the model's nconmax: some are missing. */
 #define MIMO_WARNING_CONSTRAINTS_DROPPED 2 /**< More constraints than the model's njmax: some are missing. */
 #define MIMO_WARNING_BAD_POSITION 3        /**< A position is not a number, or huge: the world has failed. */

@@ -104,25 +104,25 @@ MIMO_API mimo_status mimo_layout_delays(const mimo_layout *layout, size_t field,
 MIMO_API mimo_status mimo_layout_directions(const mimo_layout *layout, size_t field, float *directions,
                                             size_t count) MIMO_NOEXCEPT;
 
-#define MIMO_RECEPTOR_BODY 1     /**< 1, id of its body. */
-#define MIMO_RECEPTOR_GEOM 2     /**< 1, id of the geom whose surface it is on. */
-#define MIMO_RECEPTOR_POSITION 3 /**< 3, m, in the frame of its body. */
+#define MIMO_RECEPTOR_BODY 0x2001     /**< 1, id of its body. */
+#define MIMO_RECEPTOR_GEOM 0x2002     /**< 1, id of the geom whose surface it is on. */
+#define MIMO_RECEPTOR_POSITION 0x2003 /**< 3, m, in the frame of its body. */
 /**
  * 9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is the body's x axis
  * projected on the skin, or its y axis if x is within 10 degrees of the normal; the second is the normal x the first.
  * A receptor that represents a whole small geom lies in its middle, and its normal is the body's x axis.
  */
-#define MIMO_RECEPTOR_FRAME 4
+#define MIMO_RECEPTOR_FRAME 0x2004
 
 /** Number of values of a quantity (MIMO_RECEPTOR_POSITION ...) for all receptors of a field together. */
-MIMO_API mimo_status mimo_layout_receptor_width(const mimo_layout *layout, size_t field, int32_t quantity,
+MIMO_API mimo_status mimo_layout_receptor_width(const mimo_layout *layout, size_t field, mimo_quantity quantity,
                                                 size_t *value_count) MIMO_NOEXCEPT;
 
 /**
  * Reads a quantity of all receptors of a field, one after the other.
  * @param value_count length of values, as mimo_layout_receptor_width gives it.
  */
-MIMO_API mimo_status mimo_layout_receptors(const mimo_layout *layout, size_t field, int32_t quantity, double *values,
+MIMO_API mimo_status mimo_layout_receptors(const mimo_layout *layout, size_t field, mimo_quantity quantity, double *values,
                                            size_t value_count) MIMO_NOEXCEPT;
 
 /** One action: by default a motor's control input as a share of its largest torque; agent.h has the alternatives. */

@@ -198,7 +198,7 @@ MIMO_API mimo_status mimo_scene_add_camera(mimo_scene *scene, const mimo_camera_
  */
 typedef struct mimo_field_config {
   uint32_t struct_size;        /**< sizeof(mimo_field_config), set by mimo_field_config_init. */
-  int32_t quantity;            /**< A quantity of access.h, except of contacts, whose number varies. Poses and
+  mimo_quantity quantity;      /**< A quantity of access.h, except of contacts, whose number varies. Poses and
                                     velocities of bodies belong to the start of the last physics step, with MIMO_NOW to
                                     the end of the step. */
   const char *name;            /**< Name of the field, "toys/position"; required, unique among fields. */

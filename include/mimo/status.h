@@ -32,6 +32,12 @@ extern "C" {
 /** Result of a call: MIMO_OK or one of the negative MIMO_E_ constants. */
 typedef int32_t mimo_status;
 
+/** A kind of things in a world: MIMO_BODY, MIMO_JOINT, ... (access.h). */
+typedef int32_t mimo_kind;
+
+/** What can be read of things: MIMO_BODY_POSITION, ... (access.h), MIMO_RECEPTOR_POSITION, ... (observation.h). */
+typedef int32_t mimo_quantity;
+
 #define MIMO_OK 0                  /**< The call succeeded. */
 #define MIMO_E_INVALID_ARGUMENT -1 /**< An argument is NULL, out of range or not finite. */
 #define MIMO_E_BAD_HANDLE -2       /**< The handle is of another kind, or was destroyed. */

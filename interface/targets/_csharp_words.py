@@ -13,6 +13,7 @@ KEYWORDS = {"fixed", "params", "object", "string", "in", "out", "ref", "event", 
 NUMBERS = {
     **{"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "uint8_t": "byte"},
     **{"size_t": "UIntPtr", "double": "double", "float": "float", "mimo_status": "int"},
+    **{"mimo_kind": "int", "mimo_quantity": "int"},
 }
 
 # Members that are arrays of numbers.

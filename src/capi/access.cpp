@@ -1,15 +1,44 @@
 // Named access.
 #include "capi/access.h"
 
+#include "base/format.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/use.h"
 
 namespace mimo::capi {
 
+namespace {
+
+bool is_kind(std::int32_t number) { return number >= 1 && number <= env::kKinds; }
+
+bool is_of_receptors(std::int32_t number) { return number >= MIMO_RECEPTOR_BODY && number <= MIMO_RECEPTOR_FRAME; }
+
+// "MIMO_BODY, which is a kind"; "" for what is neither a kind nor a quantity.
+std::string told(std::int32_t number) {
+  if (is_kind(number)) return env::constant(static_cast<env::Kind>(number)) + ", which is a kind";
+  if (is_of_receptors(number)) {
+    const auto quantity = static_cast<observation::ReceptorQuantity>(number);
+    return env::constant(observation::word(quantity)) + ", which is a quantity of receptors";
+  }
+  const env::Traits* quantity = env::find_quantity(number);
+  return quantity == nullptr ? "" : env::constant(*quantity) + ", which is a quantity";
+}
+
+// A number that is not what it should be: known as something else, or not at all.
+[[noreturn]] void refuse_number(const char* argument, std::int32_t number, const char* expected) {
+  const std::string what = told(number & ~MIMO_NOW);
+  if (what.empty()) refuse_unknown(argument, format("{:#x}", static_cast<std::uint32_t>(number)));
+  fail(Status::kInvalidArgument, "{} is {}, expected {}", argument, what, expected);
+}
+
+}  // namespace
+
 Request request_from(std::int32_t quantity) {
   const std::int32_t number = quantity & ~MIMO_NOW;
-  if (number < 1 || number > env::kQuantities) refuse_unknown("quantity", quantity);
+  if (env::find_quantity(number) == nullptr) {
+    refuse_number("quantity", quantity, "a quantity, such as MIMO_BODY_POSITION");
+  }
   const Request request = {static_cast<env::Quantity>(number), quantity != number};
   if (request.now) env::require_known_now(request.quantity);
   return request;
@@ -23,12 +52,20 @@ env::Quantity writable_from(std::int32_t quantity) {
 }
 
 env::Kind kind_from(std::int32_t kind) {
+  if (!is_kind(kind) && !told(kind & ~MIMO_NOW).empty()) refuse_number("kind", kind, "a kind, such as MIMO_BODY");
   check_choice(kind, 1, env::kKinds, "kind");
   return static_cast<env::Kind>(kind);
 }
 
+observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
+  if (!is_of_receptors(quantity)) {
+    refuse_number("quantity", quantity, "a quantity of receptors, such as MIMO_RECEPTOR_POSITION");
+  }
+  return static_cast<observation::ReceptorQuantity>(quantity);
+}
+
 env::Ids ids_of(const env::World& world, env::Quantity quantity, const std::int32_t* ids, std::size_t count) {
-  if (ids == nullptr && count == 0) return env::Ids(env::count(world, env::traits(quantity).kind));
+  if (ids == nullptr && count == 0) return env::Ids(env::count(world, env::traits(quantity).kind()));
   return env::Ids(array(ids, count, "ids"));
 }
 

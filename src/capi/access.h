@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "env/access.h"
+#include "observation/receptor.h"
 
 namespace mimo::capi {
 
@@ -18,6 +19,7 @@ Request request_from(std::int32_t quantity);
 env::Quantity writable_from(std::int32_t quantity);
 
 env::Kind kind_from(std::int32_t kind);
+observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity);
 
 // Ids as given; NULL with count 0 means all of the quantity's kind.
 env::Ids ids_of(const env::World& world, env::Quantity quantity, const std::int32_t* ids, std::size_t count);

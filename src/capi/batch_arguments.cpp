@@ -58,8 +58,8 @@ const float* actions_of(const batch::Batch& batch, const float* actions, std::si
 
 env::Ids ids_of(const batch::Batch& batch, env::Quantity quantity, const std::int32_t* ids, std::size_t count) {
   const env::Traits& what = env::traits(quantity);
-  require(env::is_alike(what.kind), "quantity {} ({}): worlds differ in how many they have; ask each world",
-          static_cast<int>(quantity), what.name);
+  require(env::is_alike(what.kind()), "quantity is {}, of which worlds have different numbers; ask each world",
+          env::constant(what));
   return ids_of(batch.world(0), quantity, ids, count);
 }
 

@@ -63,11 +63,6 @@ std::size_t find_field(const std::vector<observation::Field>& fields, const std:
   fail(Status::kNotFound, "no field named \"{}\"; {}", name, choice_of(name, std::move(names)));
 }
 
-observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
-  check_choice(quantity, 1, observation::kReceptorQuantities, "quantity");
-  return static_cast<observation::ReceptorQuantity>(quantity);
-}
-
 }  // namespace
 }  // namespace mimo::capi
 

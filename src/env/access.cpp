@@ -111,7 +111,7 @@ void of_world(const World& world, const mjData& data, Quantity quantity, int id,
     case Quantity::kActuatorFusimotorDrive:
       if (const auto* drives = drives_of(world, id)) drives->get(id, to);
       break;
-    case Quantity::kWarningCount: *to = static_cast<double>(world.physics().warnings()[index]); break;
+    case Quantity::kWarningSteps: *to = static_cast<double>(world.physics().warnings()[index]); break;
     default: of_step_contact(world.step_contacts().all()[index], quantity, Out(to)); break;
   }
 }
@@ -187,8 +187,8 @@ void get(const World& world, Quantity quantity, const Ids& ids, bool now, Span<f
 void require_known_now(Quantity quantity) {
   const Traits& what = traits(quantity);
   require(what.moment != Moment::kStep,
-          "quantity {} ({}) is computed by physics steps and has no MIMO_NOW; mimo_env_observe brings all to now",
-          static_cast<int>(quantity), what.name);
+          "quantity is {}, which physics steps compute: it has no MIMO_NOW; mimo_env_observe brings all to now",
+          constant(what));
 }
 
 }  // namespace mimo::env

@@ -145,12 +145,12 @@ void check_element(const World& world, Quantity quantity, int id, const double* 
                     receptors::kMostFusimotorDrive);
       break;
     case Quantity::kAgentFace: check_face(world, id, *values); break;
-    case Quantity::kWarningCount: check_between("count of warning", id, values, 1, 0, 0); break;
+    case Quantity::kWarningSteps: check_between("steps of warning", id, values, 1, 0, 0); break;
     default: break;
   }
   const int quaternion = quaternion_at(model, quantity, id);
   require(quaternion < 0 || norm(values + quaternion, 4) > 1e-9, "values: the quaternion of {} {} is zero",
-          word(traits(quantity).kind), id);
+          word(traits(quantity).kind()), id);
 }
 
 // ---- What is written ------------------------------------------------------------------------------------------------
@@ -204,7 +204,7 @@ void write(World& world, Quantity quantity, int id, const double* values, int co
       if (auto* drives = drives_of(world, id)) drives->set(id, values);
       break;
     case Quantity::kWorldGravity: physics.set_gravity({values[0], values[1], values[2]}); break;
-    case Quantity::kWarningCount: physics.forget_warnings(id); break;
+    case Quantity::kWarningSteps: physics.forget_warnings(id); break;
     default: break;
   }
 }
@@ -220,7 +220,7 @@ void write_masses(engine::Physics& physics, const Ids& ids, Span<const double> m
 
 void require_writable(Quantity quantity) {
   const Traits& what = traits(quantity);
-  require(what.writing != Writing::kNever, "quantity {} ({}) can only be read", static_cast<int>(quantity), what.name);
+  require(what.writing != Writing::kNever, "quantity is {}, which can only be read", constant(what));
 }
 
 void check_settable(const World& world, Quantity quantity, const Ids& ids, Span<const double> values) {

@@ -1,5 +1,7 @@
 #include "env/kinds.h"
 
+#include <algorithm>
+
 #include "base/choice.h"
 #include "base/fail.h"
 
@@ -32,6 +34,16 @@ const char* word(Kind kind) {
     default: return engine::word(of_model(kind));
   }
 }
+
+std::string constant(const std::string& words) {
+  std::string name = "MIMO_" + words;
+  std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
+    return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter == ' ' ? '_' : letter;
+  });
+  return name;
+}
+
+std::string constant(Kind kind) { return constant(word(kind)); }
 
 int count(const World& world, Kind kind) {
   switch (kind) {

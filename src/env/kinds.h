@@ -4,29 +4,33 @@
 #include <string>
 
 #include "env/world.h"
+#include "mimo/access.h"
 
 namespace mimo::env {
 
-// As mimo.h numbers them (MIMO_BODY ...). The first eight are engine::Kind.
-enum class Kind : int {
-  kBody = 1,
-  kJoint,
-  kGeom,
-  kSite,
-  kCamera,
-  kActuator,
-  kSensor,
-  kLight,
-  kContact,
-  kStepContact,
-  kAgent,
-  kFace,
-  kWorld,
-  kWarning,
+// Of the header. The first eight are engine::Kind.
+enum class Kind : mimo_kind {
+  kBody = MIMO_BODY,
+  kJoint = MIMO_JOINT,
+  kGeom = MIMO_GEOM,
+  kSite = MIMO_SITE,
+  kCamera = MIMO_CAMERA,
+  kActuator = MIMO_ACTUATOR,
+  kSensor = MIMO_SENSOR,
+  kLight = MIMO_LIGHT,
+  kContact = MIMO_CONTACT,
+  kStepContact = MIMO_STEP_CONTACT,
+  kAgent = MIMO_AGENT,
+  kFace = MIMO_FACE,
+  kWorld = MIMO_WORLD,
+  kWarning = MIMO_WARNING,
 };
-constexpr int kKinds = 14;
+constexpr int kKinds = MIMO_WARNING;
 
-const char* word(Kind kind);  // "joint"
+const char* word(Kind kind);      // "joint"
+std::string constant(Kind kind);  // "MIMO_JOINT"
+// The constant of the header that some words name: "MIMO_JOINT_POSITION" of "joint position".
+std::string constant(const std::string& words);
 
 // All throw Status::kUnsupported for contacts of whole steps in a world that does not record them.
 int count(const World& world, Kind kind);

@@ -1,6 +1,7 @@
 #include "env/quantities.h"
 
 #include <array>
+#include <iterator>
 
 #include "base/fail.h"
 #include "engine/joints.h"
@@ -8,70 +9,107 @@
 
 namespace mimo::env {
 
-const Traits& traits(Quantity quantity) {
-  constexpr Writing kRead = Writing::kNever, kWrite = Writing::kState, kKept = Writing::kWorld;
-  constexpr Moment kAlways = Moment::kAlways, kPose = Moment::kPose, kStep = Moment::kStep;
-  static constexpr std::array<Traits, kQuantities> kTraits = {{
-      {"joint position", Kind::kJoint, 0, kWrite, kAlways, "rad", Spatial::kNone, "m"},
-      {"joint velocity", Kind::kJoint, 0, kWrite, kAlways, "rad/s", Spatial::kNone, "m/s"},
-      {"joint force", Kind::kJoint, 0, kWrite, kAlways, "Nm", Spatial::kNone, "N"},
-      {"joint acceleration", Kind::kJoint, 0, kRead, kStep, "rad/s^2", Spatial::kNone, "m/s^2"},
-      {"joint range", Kind::kJoint, 2, kRead, kAlways, "rad", Spatial::kNone, "m"},
-      {"body position", Kind::kBody, 3, kWrite, kPose, "m", Spatial::kPosition},
-      {"body orientation", Kind::kBody, 4, kWrite, kPose, "", Spatial::kOrientation},
-      {"body velocity", Kind::kBody, 6, kRead, kPose, "", Spatial::kVelocity},
-      {"body force", Kind::kBody, 6, kWrite, kAlways},
-      {"body mass", Kind::kBody, 1, kKept, kAlways, "kg"},
-      {"body center of mass", Kind::kBody, 3, kRead, kPose, "m", Spatial::kPosition},
-      {"geom position", Kind::kGeom, 3, kRead, kPose, "m", Spatial::kPosition},
-      {"geom orientation", Kind::kGeom, 4, kRead, kPose, "", Spatial::kOrientation},
-      {"geom size", Kind::kGeom, 3, kKept, kAlways, "m"},
-      {"site position", Kind::kSite, 3, kRead, kPose, "m", Spatial::kPosition},
-      {"site orientation", Kind::kSite, 4, kRead, kPose, "", Spatial::kOrientation},
-      {"camera position", Kind::kCamera, 3, kRead, kPose, "m", Spatial::kPosition},
-      {"camera orientation", Kind::kCamera, 4, kRead, kPose, "", Spatial::kOrientation},
-      {"actuator control", Kind::kActuator, 1, kWrite, kAlways},
-      {"actuator force", Kind::kActuator, 1, kRead, kStep},
-      {"sensor value", Kind::kSensor, 0, kRead, kStep},
-      {"actuator gear", Kind::kActuator, 1, kKept, kAlways},
-      {"body pose", Kind::kBody, 7, kWrite, kPose, "", Spatial::kPose},
-      {"geom pose", Kind::kGeom, 7, kRead, kPose, "", Spatial::kPose},
-      {"site pose", Kind::kSite, 7, kRead, kPose, "", Spatial::kPose},
-      {"camera pose", Kind::kCamera, 7, kRead, kPose, "", Spatial::kPose},
-      {"geom friction", Kind::kGeom, 3, kKept, kAlways},
-      {"geom color", Kind::kGeom, 4, kKept, kAlways},
-      {"joint damping", Kind::kJoint, 1, kKept, kAlways, "Nms/rad", Spatial::kNone, "Ns/m"},
-      {"joint lock", Kind::kJoint, 2, kKept, kAlways},
-      {"light position", Kind::kLight, 3, kKept, kAlways, "m"},
-      {"light direction", Kind::kLight, 3, kKept, kAlways},
-      {"light color", Kind::kLight, 3, kKept, kAlways},
-      {"contact geoms", Kind::kContact, 2, kRead, kStep},
-      {"contact bodies", Kind::kContact, 2, kRead, kStep},
-      {"contact position", Kind::kContact, 3, kRead, kStep},
-      {"contact frame", Kind::kContact, 9, kRead, kStep},
-      {"contact distance", Kind::kContact, 1, kRead, kStep},
-      {"contact force", Kind::kContact, 3, kRead, kStep},
-      {"contact torque", Kind::kContact, 3, kRead, kStep},
-      {"step contact geoms", Kind::kStepContact, 2, kRead, kStep},
-      {"step contact bodies", Kind::kStepContact, 2, kRead, kStep},
-      {"step contact start", Kind::kStepContact, 1, kRead, kStep},
-      {"step contact end", Kind::kStepContact, 1, kRead, kStep},
-      {"step contact impulse", Kind::kStepContact, 3, kRead, kStep},
-      {"step contact peak force", Kind::kStepContact, 3, kRead, kStep},
-      {"step contact peak position", Kind::kStepContact, 3, kRead, kStep},
-      {"agent face", Kind::kAgent, 1, kKept, kAlways},
-      {"world gravity", Kind::kWorld, 3, kKept, kAlways, "m/s^2"},
-      {"warning count", Kind::kWarning, 1, kWrite, kAlways},
-      {"site velocity", Kind::kSite, 6, kRead, kPose, "", Spatial::kVelocity},
-      {"agent goal", Kind::kAgent, 0, kRead, kStep},
-      {"agent achieved", Kind::kAgent, 0, kRead, kStep},
-      {"agent age", Kind::kAgent, 0, kRead, kAlways, "months"},
-      {"agent physiological age", Kind::kAgent, 0, kRead, kAlways, "months"},
-      {"body nerve length", Kind::kBody, 1, kRead, kAlways, "m"},
-      {"actuator fusimotor drive", Kind::kActuator, 0, kWrite, kAlways, "Hz"},
-  }};
-  return kTraits[static_cast<std::size_t>(quantity) - 1];
+namespace {
+
+constexpr Writing kRead = Writing::kNever, kWrite = Writing::kState, kKept = Writing::kWorld;
+constexpr Moment kAlways = Moment::kAlways, kPose = Moment::kPose, kStep = Moment::kStep;
+
+// In the order of their numbers, without gaps within a kind.
+constexpr Traits kTable[] = {
+    {Quantity::kBodyPosition, "body position", 3, kWrite, kPose, "m", Spatial::kPosition},
+    {Quantity::kBodyOrientation, "body orientation", 4, kWrite, kPose, "", Spatial::kOrientation},
+    {Quantity::kBodyVelocity, "body velocity", 6, kRead, kPose, "", Spatial::kVelocity},
+    {Quantity::kBodyForce, "body force", 6, kWrite, kAlways},
+    {Quantity::kBodyMass, "body mass", 1, kKept, kAlways, "kg"},
+    {Quantity::kBodyCenterOfMass, "body center of mass", 3, kRead, kPose, "m", Spatial::kPosition},
+    {Quantity::kBodyPose, "body pose", 7, kWrite, kPose, "", Spatial::kPose},
+    {Quantity::kBodyNerveLength, "body nerve length", 1, kRead, kAlways, "m"},
+    {Quantity::kJointPosition, "joint position", 0, kWrite, kAlways, "rad", Spatial::kNone, "m"},
+    {Quantity::kJointVelocity, "joint velocity", 0, kWrite, kAlways, "rad/s", Spatial::kNone, "m/s"},
+    {Quantity::kJointForce, "joint force", 0, kWrite, kAlways, "Nm", Spatial::kNone, "N"},
+    {Quantity::kJointAcceleration, "joint acceleration", 0, kRead, kStep, "rad/s^2", Spatial::kNone, "m/s^2"},
+    {Quantity::kJointRange, "joint range", 2, kRead, kAlways, "rad", Spatial::kNone, "m"},
+    {Quantity::kJointDamping, "joint damping", 1, kKept, kAlways, "Nms/rad", Spatial::kNone, "Ns/m"},
+    {Quantity::kJointLock, "joint lock", 2, kKept, kAlways},
+    {Quantity::kGeomPosition, "geom position", 3, kRead, kPose, "m", Spatial::kPosition},
+    {Quantity::kGeomOrientation, "geom orientation", 4, kRead, kPose, "", Spatial::kOrientation},
+    {Quantity::kGeomSize, "geom size", 3, kKept, kAlways, "m"},
+    {Quantity::kGeomPose, "geom pose", 7, kRead, kPose, "", Spatial::kPose},
+    {Quantity::kGeomFriction, "geom friction", 3, kKept, kAlways},
+    {Quantity::kGeomColor, "geom color", 4, kKept, kAlways},
+    {Quantity::kSitePosition, "site position", 3, kRead, kPose, "m", Spatial::kPosition},
+    {Quantity::kSiteOrientation, "site orientation", 4, kRead, kPose, "", Spatial::kOrientation},
+    {Quantity::kSitePose, "site pose", 7, kRead, kPose, "", Spatial::kPose},
+    {Quantity::kSiteVelocity, "site velocity", 6, kRead, kPose, "", Spatial::kVelocity},
+    {Quantity::kCameraPosition, "camera position", 3, kRead, kPose, "m", Spatial::kPosition},
+    {Quantity::kCameraOrientation, "camera orientation", 4, kRead, kPose, "", Spatial::kOrientation},
+    {Quantity::kCameraPose, "camera pose", 7, kRead, kPose, "", Spatial::kPose},
+    {Quantity::kActuatorControl, "actuator control", 1, kWrite, kAlways},
+    {Quantity::kActuatorForce, "actuator force", 1, kRead, kStep},
+    {Quantity::kActuatorGear, "actuator gear", 1, kKept, kAlways},
+    {Quantity::kActuatorFusimotorDrive, "actuator fusimotor drive", 0, kWrite, kAlways, "Hz"},
+    {Quantity::kSensorValue, "sensor value", 0, kRead, kStep},
+    {Quantity::kLightPosition, "light position", 3, kKept, kAlways, "m"},
+    {Quantity::kLightDirection, "light direction", 3, kKept, kAlways},
+    {Quantity::kLightColor, "light color", 3, kKept, kAlways},
+    {Quantity::kContactGeoms, "contact geoms", 2, kRead, kStep},
+    {Quantity::kContactBodies, "contact bodies", 2, kRead, kStep},
+    {Quantity::kContactPosition, "contact position", 3, kRead, kStep},
+    {Quantity::kContactFrame, "contact frame", 9, kRead, kStep},
+    {Quantity::kContactDistance, "contact distance", 1, kRead, kStep},
+    {Quantity::kContactForce, "contact force", 3, kRead, kStep},
+    {Quantity::kContactTorque, "contact torque", 3, kRead, kStep},
+    {Quantity::kStepContactGeoms, "step contact geoms", 2, kRead, kStep},
+    {Quantity::kStepContactBodies, "step contact bodies", 2, kRead, kStep},
+    {Quantity::kStepContactStart, "step contact start", 1, kRead, kStep},
+    {Quantity::kStepContactEnd, "step contact end", 1, kRead, kStep},
+    {Quantity::kStepContactImpulse, "step contact impulse", 3, kRead, kStep},
+    {Quantity::kStepContactPeakForce, "step contact peak force", 3, kRead, kStep},
+    {Quantity::kStepContactPeakPosition, "step contact peak position", 3, kRead, kStep},
+    {Quantity::kAgentFace, "agent face", 1, kKept, kAlways},
+    {Quantity::kAgentGoal, "agent goal", 0, kRead, kStep},
+    {Quantity::kAgentAchieved, "agent achieved", 0, kRead, kStep},
+    {Quantity::kAgentAge, "agent age", 0, kRead, kAlways, "months"},
+    {Quantity::kAgentPhysiologicalAge, "agent physiological age", 0, kRead, kAlways, "months"},
+    {Quantity::kWorldGravity, "world gravity", 3, kKept, kAlways, "m/s^2"},
+    {Quantity::kWarningSteps, "warning steps", 1, kWrite, kAlways},
+};
+constexpr int kRows = std::size(kTable);
+
+// The first row of each kind; that of kind kKinds + 1 is the end.
+constexpr std::array<int, kKinds + 2> first_rows() {
+  std::array<int, kKinds + 2> firsts{};
+  for (int kind = 0; kind < kKinds + 2; ++kind) {
+    int& first = firsts[static_cast<std::size_t>(kind)];
+    while (first < kRows && static_cast<int>(kTable[first].kind()) < kind) ++first;
+  }
+  return firsts;
 }
+constexpr std::array<int, kKinds + 2> kFirstRows = first_rows();
+
+constexpr bool rows_follow_their_numbers() {
+  for (int kind = 1; kind <= kKinds; ++kind) {
+    const int first = kFirstRows[static_cast<std::size_t>(kind)];
+    for (int row = first; row < kFirstRows[static_cast<std::size_t>(kind) + 1]; ++row) {
+      if (static_cast<int>(kTable[row].number) != (kind << kKindShift | (row - first + 1))) return false;
+    }
+  }
+  return kFirstRows[kKinds + 1] == kRows;
+}
+static_assert(rows_follow_their_numbers(), "a row of the quantities is missing, doubled or not in its place");
+
+}  // namespace
+
+const Traits* find_quantity(mimo_quantity number) {
+  const int kind = number >> kKindShift, place = number & kPlaceMask;
+  if (kind < 1 || kind > kKinds || place == 0) return nullptr;
+  const int row = kFirstRows[static_cast<std::size_t>(kind)] + place - 1;
+  return row < kFirstRows[static_cast<std::size_t>(kind) + 1] ? &kTable[row] : nullptr;
+}
+
+std::string constant(const Traits& quantity) { return constant(quantity.name); }
+
+const Traits& traits(Quantity quantity) { return *find_quantity(static_cast<mimo_quantity>(quantity)); }
 
 namespace {
 
@@ -96,7 +134,7 @@ senses::FusimotorDrives* drives_of(const World& world, int motor) {
 int width(const mjModel& model, const World* world, Quantity quantity, int id) {
   const Traits& what = traits(quantity);
   if (what.width > 0) return what.width;
-  if (what.kind == Kind::kAgent) return width_of_agent(world->agents()[static_cast<std::size_t>(id)], quantity);
+  if (what.kind() == Kind::kAgent) return width_of_agent(world->agents()[static_cast<std::size_t>(id)], quantity);
   if (quantity == Quantity::kActuatorFusimotorDrive) {
     return world != nullptr && drives_of(*world, id) != nullptr ? senses::FusimotorDrives::kNumbers : 0;
   }
@@ -108,7 +146,7 @@ int width(const mjModel& model, const World* world, Quantity quantity, int id) {
 bool is_alike(Kind kind) { return kind != Kind::kContact && kind != Kind::kStepContact; }
 
 std::size_t width(const World& world, Quantity quantity, const Ids& ids) {
-  const Kind kind = traits(quantity).kind;
+  const Kind kind = traits(quantity).kind();
   const int limit = count(world, kind);
   std::size_t sum = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {

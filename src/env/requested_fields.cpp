@@ -11,7 +11,7 @@ namespace {
 constexpr int kNone = -1;
 
 const char* unit_of(const mjModel& model, const Traits& what, const std::vector<std::int32_t>& ids) {
-  if (what.kind != Kind::kJoint) return what.unit;
+  if (what.kind() != Kind::kJoint) return what.unit;
   const auto all = [&](int type) {
     return std::all_of(ids.begin(), ids.end(), [&](int id) { return model.jnt_type[id] == type; });
   };
@@ -21,9 +21,9 @@ const char* unit_of(const mjModel& model, const Traits& what, const std::vector<
 std::string frame_of(const FieldOptions& wanted) {
   const Traits& what = traits(wanted.quantity);
   if (!wanted.relative_to.empty()) return wanted.relative_to;
-  if (what.kind == Kind::kJoint) return "joint";
-  if (what.kind == Kind::kActuator) return "actuator";
-  const bool of_world = what.spatial != Spatial::kNone || what.kind == Kind::kWorld;
+  if (what.kind() == Kind::kJoint) return "joint";
+  if (what.kind() == Kind::kActuator) return "actuator";
+  const bool of_world = what.spatial != Spatial::kNone || what.kind() == Kind::kWorld;
   return of_world || wanted.quantity == Quantity::kBodyForce ? "world" : "";
 }
 
@@ -35,7 +35,7 @@ observation::Time time_of(const FieldOptions& wanted) {
 // Elements x values of each, as far as these are as many.
 std::vector<std::size_t> shape_of(const Traits& what, const std::vector<int>& widths) {
   const auto first = static_cast<std::size_t>(widths[0]);
-  if (what.kind == Kind::kWorld) return {first};
+  if (what.kind() == Kind::kWorld) return {first};
   if (std::any_of(widths.begin(), widths.end(), [&](int width) { return width != widths[0]; })) {
     std::size_t sum = 0;
     for (const int width : widths) sum += static_cast<std::size_t>(width);
@@ -49,15 +49,14 @@ std::vector<std::size_t> shape_of(const Traits& what, const std::vector<int>& wi
 
 void check(const FieldOptions& wanted) {
   const Traits& what = traits(wanted.quantity);
-  const int number = static_cast<int>(wanted.quantity);
-  require(is_alike(what.kind), "quantity {} ({}): worlds differ in how many they have, so it is no field", number,
-          what.name);
+  require(is_alike(what.kind()), "quantity is {}, of which worlds have different numbers: it cannot be a field",
+          constant(what));
   if (wanted.now) require_known_now(wanted.quantity);
-  const bool of_world = what.kind == Kind::kWorld;
-  require(of_world == wanted.elements.empty(), "element_count is {}, expected {} of quantity {} ({})",
-          wanted.elements.size(), of_world ? "0" : "at least 1", number, what.name);
+  const bool of_world = what.kind() == Kind::kWorld;
+  require(of_world == wanted.elements.empty(), "element_count is {}, expected {} of {}", wanted.elements.size(),
+          of_world ? "0" : "at least 1", constant(what));
   require(wanted.relative_to.empty() || what.spatial != Spatial::kNone,
-          "relative_to is \"{}\", but quantity {} ({}) is in no frame of space", wanted.relative_to, number, what.name);
+          "relative_to is \"{}\", but {} is in no frame of space", wanted.relative_to, constant(what));
 }
 
 RequestedFields::RequestedFields(const mjModel& model, const World* world, const std::vector<FieldOptions>& wanted)
@@ -77,13 +76,13 @@ RequestedFields::Reader RequestedFields::reader_of(const mjModel& model, const F
   Reader reader{wanted.quantity, wanted.now && what.moment == Moment::kPose, {}, kNone, 0};
   try {
     for (const std::string& element : wanted.elements) {
-      reader.ids.push_back(find_or_fail(model, world_, what.kind, element));
+      reader.ids.push_back(find_or_fail(model, world_, what.kind(), element));
     }
     if (!wanted.relative_to.empty()) reader.relative_to = find_or_fail(model, world_, Kind::kBody, wanted.relative_to);
   } catch (const Error& error) {
     fail(error.status(), "field \"{}\": {}", wanted.name, error.what());
   }
-  if (what.kind == Kind::kWorld) reader.ids.push_back(0);
+  if (what.kind() == Kind::kWorld) reader.ids.push_back(0);
   return reader;
 }
 
@@ -93,7 +92,7 @@ observation::Field RequestedFields::field_of(const mjModel& model, const FieldOp
   std::vector<int> widths;
   for (std::size_t i = 0; i < reader.ids.size(); ++i) {
     widths.push_back(width(model, world_, wanted.quantity, reader.ids[i]));
-    const std::string label = what.kind == Kind::kWorld ? "" : wanted.elements[i];
+    const std::string label = what.kind() == Kind::kWorld ? "" : wanted.elements[i];
     field.labels.insert(field.labels.end(), static_cast<std::size_t>(widths.back()), label);
   }
   field.name = wanted.name;
@@ -128,7 +127,7 @@ void RequestedFields::read(const mjModel& model, const mjData& data, const Reade
   const Traits& what = traits(reader.quantity);
   const BodyFrame frame(model, data, reader.relative_to);
   for (std::size_t i = 0; i < reader.ids.size(); ++i) {
-    frame.see(what.spatial, place_of(data, what.kind, reader.ids[i]),
+    frame.see(what.spatial, place_of(data, what.kind(), reader.ids[i]),
               values_.data() + i * static_cast<std::size_t>(what.width));
   }
 }

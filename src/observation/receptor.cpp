@@ -17,6 +17,16 @@ void read(const Receptor& receptor, ReceptorQuantity quantity, double* values) {
 
 }  // namespace
 
+const char* word(ReceptorQuantity quantity) {
+  switch (quantity) {
+    case ReceptorQuantity::kBody: return "receptor body";
+    case ReceptorQuantity::kGeom: return "receptor geom";
+    case ReceptorQuantity::kPosition: return "receptor position";
+    case ReceptorQuantity::kFrame: return "receptor frame";
+  }
+  return "";
+}
+
 std::size_t width(ReceptorQuantity quantity) {
   switch (quantity) {
     case ReceptorQuantity::kBody:

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "base/span.h"
+#include "mimo/observation.h"
 
 namespace mimo::observation {
 
@@ -16,10 +17,15 @@ struct Receptor {
   auto normal() const { return frame.row(0).transpose(); }
 };
 
-// As mimo.h numbers them (MIMO_RECEPTOR_...).
-enum class ReceptorQuantity : int { kBody = 1, kGeom, kPosition, kFrame };
-constexpr int kReceptorQuantities = 4;
+// Of the header.
+enum class ReceptorQuantity : mimo_quantity {
+  kBody = MIMO_RECEPTOR_BODY,
+  kGeom = MIMO_RECEPTOR_GEOM,
+  kPosition = MIMO_RECEPTOR_POSITION,
+  kFrame = MIMO_RECEPTOR_FRAME,
+};
 
+const char* word(ReceptorQuantity quantity);  // "receptor position"
 // How many numbers one receptor has of it.
 std::size_t width(ReceptorQuantity quantity);
 // Of all, one after the other.

@@ -68,7 +68,7 @@ static void check_world(void) {
   CHECK_OK(mimo_env_create(scene, &config, &env));
   config.render |= MIMO_RENDER_GROWN;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "render is 0x4000000f", mimo_env_create(scene, &config, &env));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 10000", mimo_env_get(env, MIMO_WORLD_GROWN, NULL, 0, &value, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0xdff", mimo_env_get(env, MIMO_WORLD_GROWN, NULL, 0, &value, 1));
 
   BOTH(reset, mimo_env_reset(env, &reset, NULL, 0));
   memset(&results, 0, sizeof results);

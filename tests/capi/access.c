@@ -62,20 +62,41 @@ static void check_names(void) {
   CHECK(body == -7);
 }
 
-/* The first element of each kind. Widths of a free joint, a body, ... */
+/* The first element of each kind, and how many values the header says that it has. */
 static void check_quantities(void) {
-  /* In the order of mimo.h; contacts, which there are none of at first, have 0. */
-  static const size_t widths[] = {7, 6, 6, 6, 2, 3, 4, 6, 6, 1, 3, 3, 4, 3, 3, 4, 3, 4, 1, 1, 3, 1, 7, 7, 7,
-                                  7, 3, 4, 1, 2, 3, 3, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 3, 1};
+  static const struct {
+    mimo_quantity number;
+    size_t width;
+  } known[] = {
+      {MIMO_BODY_POSITION, 3},      {MIMO_BODY_ORIENTATION, 4},
+      {MIMO_BODY_VELOCITY, 6},      {MIMO_BODY_FORCE, 6},
+      {MIMO_BODY_MASS, 1},          {MIMO_BODY_CENTER_OF_MASS, 3},
+      {MIMO_BODY_POSE, 7},          {MIMO_BODY_NERVE_LENGTH, 1},
+      {MIMO_JOINT_POSITION, 7},     {MIMO_JOINT_VELOCITY, 6},
+      {MIMO_JOINT_FORCE, 6},        {MIMO_JOINT_ACCELERATION, 6},
+      {MIMO_JOINT_RANGE, 2},        {MIMO_JOINT_DAMPING, 1},
+      {MIMO_JOINT_LOCK, 2},         {MIMO_GEOM_POSITION, 3},
+      {MIMO_GEOM_ORIENTATION, 4},   {MIMO_GEOM_SIZE, 3},
+      {MIMO_GEOM_POSE, 7},          {MIMO_GEOM_FRICTION, 3},
+      {MIMO_GEOM_COLOR, 4},         {MIMO_SITE_POSITION, 3},
+      {MIMO_SITE_ORIENTATION, 4},   {MIMO_SITE_POSE, 7},
+      {MIMO_SITE_VELOCITY, 6},      {MIMO_CAMERA_POSITION, 3},
+      {MIMO_CAMERA_ORIENTATION, 4}, {MIMO_CAMERA_POSE, 7},
+      {MIMO_ACTUATOR_CONTROL, 1},   {MIMO_ACTUATOR_FORCE, 1},
+      {MIMO_ACTUATOR_GEAR, 1},      {MIMO_SENSOR_VALUE, 3},
+      {MIMO_LIGHT_POSITION, 3},     {MIMO_LIGHT_DIRECTION, 3},
+      {MIMO_LIGHT_COLOR, 3},        {MIMO_AGENT_FACE, 1},
+      {MIMO_AGENT_AGE, 1},          {MIMO_AGENT_PHYSIOLOGICAL_AGE, 1},
+      {MIMO_WORLD_GRAVITY, 3},      {MIMO_WARNING_STEPS, 1},
+  };
   double values[9];
   float floats[9];
   const int32_t first = 0;
-  int32_t quantity;
-  size_t count;
-  for (quantity = 1; quantity <= MIMO_WARNING_COUNT; ++quantity) {
-    const size_t width = widths[quantity - 1];
+  size_t count, k;
+  for (k = 0; k < sizeof known / sizeof *known; ++k) {
+    const mimo_quantity quantity = known[k].number;
+    const size_t width = known[k].width;
     size_t asked = 0, i;
-    if (width == 0) continue;
     CHECK_OK(mimo_env_width(env, quantity, &first, 1, &asked));
     CHECK(asked == width);
     for (i = 0; i < 9; ++i) values[i] = 77;
@@ -90,14 +111,64 @@ static void check_quantities(void) {
     for (i = 0; i < width; ++i) CHECK(floats[i] == (float)values[i] || (isnan(floats[i]) && isnan(values[i])));
     CHECK_OK(mimo_env_get(env, quantity, &first, 0, NULL, 0)); /* none of them */
   }
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 58", mimo_env_get(env, 58, &first, 1, values, 1));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0", mimo_env_set(env, 0, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0xff, which needs an interface newer",
+              mimo_env_get(env, 0xff, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0x1ff, which needs an interface newer",
+              mimo_env_get(env, 0x1ff, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0x0", mimo_env_set(env, 0, &first, 1, values, 1));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0xffffffff", mimo_env_get(env, -1, &first, 1, values, 1));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "MIMO_NOW",
               mimo_env_set(env, MIMO_BODY_POSITION | MIMO_NOW, &first, 1, values, 3));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "no MIMO_NOW",
               mimo_env_get(env, MIMO_SENSOR_VALUE | MIMO_NOW, &first, 1, values, 3));
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "step_contacts", mimo_env_count(env, MIMO_STEP_CONTACT, &count));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "value_count is NULL", mimo_env_width(env, 1, &first, 1, NULL));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "value_count is NULL", mimo_env_width(env, MIMO_BODY_POSE, &first, 1, NULL));
+}
+
+/* Each in the other's place is refused by name, whichever function it is given to. */
+static void check_mistakes(void) {
+  const mimo_layout* layout = NULL;
+  const int32_t first = 0;
+  size_t count = 77;
+  int32_t id = -7;
+  double value = 7;
+  float place = 7;
+  const char* name = NULL;
+  static const char no_kind[] = "kind is MIMO_BODY_POSITION, which is a quantity, expected a kind, such as MIMO_BODY";
+  static const char no_quantity[] =
+      "quantity is MIMO_STEP_CONTACT, which is a kind, expected a quantity, such as MIMO_BODY_POSITION";
+  CHECK_OK(mimo_env_layout(env, &layout));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_kind, mimo_env_count(env, MIMO_BODY_POSITION, &count));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_kind, mimo_env_find(env, MIMO_BODY_POSITION, "head", &id));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_kind, mimo_env_find(env, MIMO_BODY_POSITION | MIMO_NOW, "head", &id));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_kind, mimo_env_name(env, MIMO_BODY_POSITION, 0, &name));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_kind, mimo_env_body_of(env, MIMO_BODY_POSITION, 0, &id));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_kind, mimo_env_poses(env, MIMO_BODY_POSITION, MIMO_AXES_MIMO, &place, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "MIMO_RECEPTOR_BODY, which is a quantity of receptors, expected a kind",
+              mimo_env_find(env, MIMO_RECEPTOR_BODY, "head", &id));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_quantity, mimo_env_width(env, MIMO_STEP_CONTACT, NULL, 0, &count));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_quantity, mimo_env_get(env, MIMO_STEP_CONTACT, &first, 1, &value, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_quantity,
+              mimo_env_get_float(env, MIMO_STEP_CONTACT | MIMO_NOW, &first, 1, &place, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, no_quantity, mimo_env_set(env, MIMO_STEP_CONTACT, &first, 1, &value, 1));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "MIMO_RECEPTOR_FRAME, which is a quantity of receptors, expected a quantity,",
+              mimo_env_width(env, MIMO_RECEPTOR_FRAME, NULL, 0, &count));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT,
+              "quantity is MIMO_BODY_POSE, which is a quantity, expected a quantity of receptors, such as "
+              "MIMO_RECEPTOR_POSITION",
+              mimo_layout_receptor_width(layout, 0, MIMO_BODY_POSE, &count));
+  CHECK(count == 77 && id == -7 && value == 7 && place == 7 && name == NULL);
+}
+
+/* A quantity's kind can be read off its number. */
+static void check_numbers(void) {
+  CHECK(MIMO_BODY_POSITION >> 8 == MIMO_BODY && MIMO_BODY_NERVE_LENGTH >> 8 == MIMO_BODY);
+  CHECK(MIMO_JOINT_POSITION >> 8 == MIMO_JOINT && MIMO_GEOM_COLOR >> 8 == MIMO_GEOM);
+  CHECK(MIMO_SITE_POSE >> 8 == MIMO_SITE && MIMO_CAMERA_POSE >> 8 == MIMO_CAMERA);
+  CHECK(MIMO_ACTUATOR_GEAR >> 8 == MIMO_ACTUATOR && MIMO_SENSOR_VALUE >> 8 == MIMO_SENSOR);
+  CHECK(MIMO_LIGHT_COLOR >> 8 == MIMO_LIGHT && MIMO_CONTACT_FORCE >> 8 == MIMO_CONTACT);
+  CHECK(MIMO_STEP_CONTACT_START >> 8 == MIMO_STEP_CONTACT && MIMO_AGENT_GOAL >> 8 == MIMO_AGENT);
+  CHECK(MIMO_WORLD_GRAVITY >> 8 == MIMO_WORLD && MIMO_WARNING_STEPS >> 8 == MIMO_WARNING);
 }
 
 /* NULL means all, of whatever there are. */
@@ -193,6 +264,8 @@ int main(void) {
   env = blind_env("benchmark", NULL);
   check_names();
   check_quantities();
+  check_mistakes();
+  check_numbers();
   check_all();
   check_writing();
   check_contacts();

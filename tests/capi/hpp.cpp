@@ -167,7 +167,7 @@ void check_batch() {
   CHECK(batch.get_floats(MIMO_BODY_MASS, {head}) == (std::vector<float>{1, 2, 3}));
   CHECK(batch.get_values(MIMO_WORLD_GRAVITY).size() == 9);
   CHECK(single.get_floats(MIMO_BODY_MASS).size() == single.count(MIMO_BODY));
-  CHECK(single.warning_count(1) == 0);
+  CHECK(single.warning_steps(1) == 0);
   batch.set_face("fear");
   CHECK(batch.env(2).face() == "fear");
 }

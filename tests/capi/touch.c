@@ -103,8 +103,8 @@ static void check_description(void) {
   }
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "value_count is 5684, but 5685 are needed",
               mimo_layout_receptors(layout, 0, MIMO_RECEPTOR_BODY, bodies, w.sensors - 1));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 5", mimo_layout_receptor_width(layout, 0, 5, &count));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0", mimo_layout_receptors(layout, 0, 0, bodies, w.sensors));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0x2005", mimo_layout_receptor_width(layout, 0, 0x2005, &count));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "quantity is 0x0", mimo_layout_receptors(layout, 0, 0, bodies, w.sensors));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "field is 1, but there are 1 fields",
               mimo_layout_receptor_width(layout, 1, MIMO_RECEPTOR_BODY, &count));
   CHECK(count == 77);

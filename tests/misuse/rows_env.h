@@ -37,9 +37,10 @@ ROW(mimo_env_play, ON_ENV, mimo_env_play(a->env, a->part, a->action, a->action_c
 ROW(mimo_env_time, ON_ENV, mimo_env_time(a->env, a->number), NO_NULL(number, "seconds"))
 ROW(mimo_env_timestep, ON_ENV, mimo_env_timestep(a->env, a->number), NO_NULL(number, "seconds"))
 
-#define KINDS UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind")
-#define QUANTITIES                                                                                     \
-  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, MIMO_ACTUATOR_FUSIMOTOR_DRIVE + 1, "quantity"), \
+#define KINDS \
+  UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind"), BAD_I32(kind, MIMO_BODY_POSITION, "kind")
+#define QUANTITIES                                                                                                   \
+  UNKNOWN(quantity, 0, "quantity"), UNKNOWNS(quantity, 0x1ff, "quantity"), BAD_I32(quantity, MIMO_BODY, "quantity"), \
       BAD_I32(quantity, MIMO_NOW | MIMO_CONTACT_FORCE, "quantity")
 #define IDS \
   NO_NULL(ids, "ids"), BAD_SIZE(id_count, -1, "ids"), DO(negative_id, E_ARG, "ids[0]"), DO(huge_id, E_ARG, "ids[0]")

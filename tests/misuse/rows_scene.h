@@ -203,7 +203,7 @@ ROW(mimo_field_config_init, 0, mimo_field_config_init(a->field_config, sizeof *a
   }
 ROW(mimo_scene_add_field, ON_SCENE, mimo_scene_add_field(a->scene, a->field_config), NO_NULL(field_config, "config"),
     CONFIG(field_config, mimo_field_config, "config"), QUANTITY_FIELD(0, MIMO_E_UNSUPPORTED),
-    QUANTITY_FIELD(-1, MIMO_E_UNSUPPORTED), QUANTITY_FIELD(999, MIMO_E_UNSUPPORTED),
+    QUANTITY_FIELD(-1, MIMO_E_UNSUPPORTED), QUANTITY_FIELD(0x1ff, MIMO_E_UNSUPPORTED), QUANTITY_FIELD(MIMO_BODY, E_ARG),
     QUANTITY_FIELD(MIMO_CONTACT_FORCE, E_ARG), QUANTITY_FIELD(MIMO_SENSOR_VALUE | MIMO_NOW, E_ARG),
     {FAULT_FIELD_NULL, "name is NULL", MEMBER(field_config), FIELD(mimo_field_config, name), 0, 0, NULL, E_ARG, "name"},
     {FAULT_FIELD_NULL, "elements is NULL", MEMBER(field_config), FIELD(mimo_field_config, elements), 0, 0, NULL, E_ARG,

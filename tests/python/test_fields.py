@@ -29,7 +29,7 @@ def fallen(steps):
 
 def test_elements_and_their_values():
     both = ["ball", "table"]
-    scene = room(("mass", mimo.Quantity.BODY_MASS, both), ("places", "body_position", both), ("pose", 1, "free"))
+    scene = room(("mass", mimo.Quantity.BODY_MASS, both), ("places", "body_position", both), ("pose", 0x0201, "free"))
     with mimo.World(scene) as world:
         seen = world.reset()
         assert seen["mass"].tolist() == [2, 7]
@@ -85,5 +85,5 @@ def test_refused():
         room(("x", "body_mass", "ball"), ("x", "body_mass", "table"))
     with pytest.raises(ValueError, match="relative_to"):
         room(("x", "body_mass", "ball"), relative_to="table")
-    with pytest.raises(mimo.UnsupportedError, match="9999"):
+    with pytest.raises(mimo.UnsupportedError, match="0x270f"):
         room(("x", 9999, "ball"))

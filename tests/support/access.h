@@ -21,7 +21,7 @@ inline Values get(const env::World& world, env::Quantity quantity, const Ids& id
 
 // Of all of its kind.
 inline Values get(const env::World& world, env::Quantity quantity) {
-  const env::Ids all(env::count(world, env::traits(quantity).kind));
+  const env::Ids all(env::count(world, env::traits(quantity).kind()));
   Values values(env::width(world, quantity, all));
   env::get(world, quantity, all, false, Span<double>(values));
   return values;

@@ -58,10 +58,9 @@ TEST_F(EnvAccess, WidthsOfEverything) {
       {Quantity::kCameraPosition, Kind::kCamera, 2 * 3},    {Quantity::kCameraOrientation, Kind::kCamera, 2 * 4},
       {Quantity::kActuatorControl, Kind::kActuator, 44},    {Quantity::kActuatorForce, Kind::kActuator, 44},
       {Quantity::kSensorValue, Kind::kSensor, 69}};
-  for (int number = 1; number <= 21; ++number) {
-    const Known& entry = known[number - 1];
-    EXPECT_EQ(static_cast<Quantity>(number), entry.quantity);
-    EXPECT_EQ(width(entry.quantity, all(entry.kind)), entry.width) << number;
+  for (const Known& entry : known) {
+    EXPECT_EQ(env::traits(entry.quantity).kind(), entry.kind);
+    EXPECT_EQ(width(entry.quantity, all(entry.kind)), entry.width) << env::traits(entry.quantity).name;
     EXPECT_EQ(width(entry.quantity, Ids{}), 0u);
   }
 }
@@ -212,8 +211,8 @@ TEST_F(EnvAccess, Refusals) {
   refuse("values[2] is inf", Quantity::kBodyPosition, {ball}, {1, 1, infinity});
   refuse("quaternion", Quantity::kBodyOrientation, {ball}, {0, 0, 0, 0});
   refuse("quaternion", Quantity::kJointPosition, {model().body_jntadr[ball]}, {9, 9, 9, 0, 0, 0, 0});
-  refuse("body velocity) can only be read", Quantity::kBodyVelocity, {ball}, {1, 1, 1, 1, 1, 1});
-  refuse("sensor value) can only be read", Quantity::kSensorValue, {0}, {1, 1, 1});
+  refuse("MIMO_BODY_VELOCITY, which can only be read", Quantity::kBodyVelocity, {ball}, {1, 1, 1, 1, 1, 1});
+  refuse("MIMO_SENSOR_VALUE, which can only be read", Quantity::kSensorValue, {0}, {1, 1, 1});
   EXPECT_EQ(copy(physics_.data().qpos, model().nq), before) << "nothing was written";
   expect_error(Status::kInvalidArgument, "ids[1] is 26, expected a body id from 0 to 25", [&] {
     width(Quantity::kBodyMass, Ids{0, 26});
@@ -267,7 +266,7 @@ TEST_F(EnvAccess, NowIsAfterTheStep) {
     EXPECT_EQ(now, copy(moved.data().xpos, 3 * model().nbody));
   }
   EXPECT_EQ(get(Quantity::kJointPosition, {0}, true), get(Quantity::kJointPosition, {0})) << "always current";
-  expect_error(Status::kInvalidArgument, "(joint acceleration) is computed by physics steps",
+  expect_error(Status::kInvalidArgument, "MIMO_JOINT_ACCELERATION, which physics steps compute",
                [&] { get(Quantity::kJointAcceleration, {0}, true); });
 }
 

@@ -287,7 +287,7 @@ TEST(Overrides, Refusals) {
   refuse(Status::kInvalidArgument, "direction of light 0 is zero", Quantity::kLightDirection, 0, {0, 0, 0});
   refuse(Status::kInvalidArgument, "expected 0 to 100", Quantity::kLightColor, 0, {0, 0, 101});
   refuse(Status::kUnsupported, "light 1 (\"lamp\") follows a body", Quantity::kLightPosition, 1, {0, 0, 1});
-  refuse(Status::kInvalidArgument, "expected 0 to 0", Quantity::kWarningCount, 0, {1});
+  refuse(Status::kInvalidArgument, "expected 0 to 0", Quantity::kWarningSteps, 0, {1});
   EXPECT_EQ(get(world, Quantity::kGeomColor), before);
 }
 

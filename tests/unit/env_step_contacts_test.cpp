@@ -72,13 +72,13 @@ TEST(StepContacts, NeitherChangeAnythingNorOutliveAReset) {
 // ---- Warnings -------------------------------------------------------------------------------------------------------
 
 double warnings(env::World& world, engine::Warning kind) {
-  return get(world, Quantity::kWarningCount, {static_cast<std::int32_t>(kind)})[0];
+  return get(world, Quantity::kWarningSteps, {static_cast<std::int32_t>(kind)})[0];
 }
 
 TEST(Warnings, NoneInACleanRun) {
   const auto world = make_world(benchmark_model());
   for (int i = 0; i < 50; ++i) step(*world, i);
-  EXPECT_EQ(get(*world, Quantity::kWarningCount), Values(engine::kWarnings, 0));
+  EXPECT_EQ(get(*world, Quantity::kWarningSteps), Values(engine::kWarnings, 0));
 }
 
 TEST(Warnings, CountStepsThatDropContacts) {
@@ -95,7 +95,7 @@ TEST(Warnings, CountStepsThatDropContacts) {
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed + 7);
   world.reset(nullptr, nullptr);
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed + 7) << "since the world was made";
-  set(world, Quantity::kWarningCount, {static_cast<std::int32_t>(engine::Warning::kContactsDropped)}, Values{0});
+  set(world, Quantity::kWarningSteps, {static_cast<std::int32_t>(engine::Warning::kContactsDropped)}, Values{0});
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), 0);
 }
 
@@ -111,7 +111,7 @@ TEST(Warnings, Divergence) {
     set(world, quantity, {0}, values);
     EXPECT_THROW(world.step({}, nullptr, {}), Error);
     world.reset(nullptr, nullptr);
-    return get(world, Quantity::kWarningCount);
+    return get(world, Quantity::kWarningSteps);
   };
   EXPECT_EQ(fail_by(Quantity::kJointPosition, {1e200, 0, 0, 1, 0, 0, 0})[3], 1);
   EXPECT_EQ(fail_by(Quantity::kJointVelocity, {1e200, 0, 0, 0, 0, 0})[4], 1);

@@ -370,16 +370,16 @@ namespace Mimo
     public enum Receptor
     {
         /// <summary>1, id of its body.</summary>
-        Body = 1,
+        Body = 8193,
         /// <summary>1, id of the geom whose surface it is on.</summary>
-        Geom = 2,
+        Geom = 8194,
         /// <summary>3, m, in the frame of its body.</summary>
-        Position = 3,
+        Position = 8195,
         /// <summary>9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is
         /// the body's x axis projected on the skin, or its y axis if x is within 10 degrees of the normal; the second
         /// is the normal x the first. A receptor that represents a whole small geom lies in its middle, and its normal
         /// is the body's x axis.</summary>
-        Frame = 4
+        Frame = 8196
     }
 
     /// <summary>How constraints are solved: the same solution to rounding.</summary>
@@ -473,135 +473,135 @@ namespace Mimo
     /// ones can be set. W: worlds of one model may differ in it, and a set value survives resets.</summary>
     public enum Quantity
     {
-        /// <summary>Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.</summary>
-        JointPosition = 1,
-        /// <summary>Joint: 1, 3 or 6. Writable.</summary>
-        JointVelocity = 2,
-        /// <summary>Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset.
-        /// Writable.</summary>
-        JointForce = 3,
-        /// <summary>Joint: 1, 3 or 6.</summary>
-        JointAcceleration = 4,
-        /// <summary>Joint: 2, low and high; -inf and inf when not limited.</summary>
-        JointRange = 5,
         /// <summary>Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the
         /// world without joints.</summary>
-        BodyPosition = 6,
+        BodyPosition = 257,
         /// <summary>Body: 4, w x y z. Writable as Quantity.BodyPosition.</summary>
-        BodyOrientation = 7,
+        BodyOrientation = 258,
         /// <summary>Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.</summary>
-        BodyVelocity = 8,
+        BodyVelocity = 259,
         /// <summary>Body: 6, force and torque at its centre of mass, world. Writable as Quantity.JointForce.</summary>
-        BodyForce = 9,
+        BodyForce = 260,
         /// <summary>Body: 1, kg, &gt; 0. Writable, W: its inertia grows along.</summary>
-        BodyMass = 10,
+        BodyMass = 261,
         /// <summary>Body: 3, of the body alone, world, m.</summary>
-        BodyCenterOfMass = 11,
+        BodyCenterOfMass = 262,
+        /// <summary>Body: 7, position and orientation. Writable as Quantity.BodyPosition.</summary>
+        BodyPose = 263,
+        /// <summary>Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the
+        /// joints on their way; 0 for what is no part of one.</summary>
+        BodyNerveLength = 264,
+        /// <summary>Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.</summary>
+        JointPosition = 513,
+        /// <summary>Joint: 1, 3 or 6. Writable.</summary>
+        JointVelocity = 514,
+        /// <summary>Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset.
+        /// Writable.</summary>
+        JointForce = 515,
+        /// <summary>Joint: 1, 3 or 6.</summary>
+        JointAcceleration = 516,
+        /// <summary>Joint: 2, low and high; -inf and inf when not limited.</summary>
+        JointRange = 517,
+        /// <summary>Joint: 1, for all its axes, Nms/rad or Ns/m, &gt;= 0. Writable, W.</summary>
+        JointDamping = 518,
+        /// <summary>Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants;
+        /// see Env.Set. 0 and 0 where nothing could hold it.</summary>
+        JointLock = 519,
         /// <summary>Geom: 3, world, m.</summary>
-        GeomPosition = 12,
+        GeomPosition = 769,
         /// <summary>Geom: 4, w x y z.</summary>
-        GeomOrientation = 13,
+        GeomOrientation = 770,
         /// <summary>Geom: 3, by shape, m, &gt; 0; those that its shape does not use are left alone. Writable, W, but
         /// for planes, meshes and height fields: what touches and what is seen; mass, inertia and touch sensors
         /// stay.</summary>
-        GeomSize = 14,
-        /// <summary>Site: 3, world, m.</summary>
-        SitePosition = 15,
-        /// <summary>Site: 4, w x y z.</summary>
-        SiteOrientation = 16,
-        /// <summary>Camera: 3, world, m.</summary>
-        CameraPosition = 17,
-        /// <summary>Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.</summary>
-        CameraOrientation = 18,
-        /// <summary>Actuator: 1, control input. Writable.</summary>
-        ActuatorControl = 19,
-        /// <summary>Actuator: 1, N or Nm.</summary>
-        ActuatorForce = 20,
-        /// <summary>Sensor: its dimension.</summary>
-        SensorValue = 21,
-        /// <summary>Actuator: 1, Nm at control 1. Writable, W.</summary>
-        ActuatorGear = 22,
-        /// <summary>Body: 7, position and orientation. Writable as Quantity.BodyPosition.</summary>
-        BodyPose = 23,
+        GeomSize = 771,
         /// <summary>Geom: 7, position and orientation.</summary>
-        GeomPose = 24,
-        /// <summary>Site: 7, position and orientation.</summary>
-        SitePose = 25,
-        /// <summary>Camera: 7, position and orientation.</summary>
-        CameraPose = 26,
+        GeomPose = 772,
         /// <summary>Geom: 3, sliding, torsional (m), rolling (m), &gt;= 0; two geoms meet with the larger one, or as
         /// their pair in the model says. Writable, W.</summary>
-        GeomFriction = 27,
+        GeomFriction = 773,
         /// <summary>Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where
         /// there is a material. Writable, W.</summary>
-        GeomColor = 28,
-        /// <summary>Joint: 1, for all its axes, Nms/rad or Ns/m, &gt;= 0. Writable, W.</summary>
-        JointDamping = 29,
-        /// <summary>Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants;
-        /// see Env.Set. 0 and 0 where nothing could hold it.</summary>
-        JointLock = 30,
-        /// <summary>Light: 3, m, in the frame of its body, mostly the world. Writable, W.</summary>
-        LightPosition = 31,
-        /// <summary>Light: 3, unit vector in that frame. Writable (any length), W.</summary>
-        LightDirection = 32,
-        /// <summary>Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W.</summary>
-        LightColor = 33,
-        /// <summary>Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).</summary>
-        ContactGeoms = 34,
-        /// <summary>Contact: 2, ids of their bodies; of a flex that of the nearest vertex.</summary>
-        ContactBodies = 35,
-        /// <summary>Contact: 3, world, m.</summary>
-        ContactPosition = 36,
-        /// <summary>Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world.</summary>
-        ContactFrame = 37,
-        /// <summary>Contact: 1, m; negative: how deep the geoms overlap, of boxes too.</summary>
-        ContactDistance = 38,
-        /// <summary>Contact: 3, on the second body, in the contact's frame, N.</summary>
-        ContactForce = 39,
-        /// <summary>Contact: 3, on the second body, in the contact's frame, Nm.</summary>
-        ContactTorque = 40,
-        /// <summary>Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).</summary>
-        StepContactGeoms = 41,
-        /// <summary>Step contact: 2, ids of their bodies.</summary>
-        StepContactBodies = 42,
-        /// <summary>Step contact: 1, when they first touched, s since the step's start.</summary>
-        StepContactStart = 43,
-        /// <summary>Step contact: 1, when they last touched, s since the step's start.</summary>
-        StepContactEnd = 44,
-        /// <summary>Step contact: 3, on the second body over the step, world, N s.</summary>
-        StepContactImpulse = 45,
-        /// <summary>Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.</summary>
-        StepContactPeakForce = 46,
-        /// <summary>Step contact: 3, of the strongest contact at that time, world, m.</summary>
-        StepContactPeakPosition = 47,
-        /// <summary>Agent: 1, id of the Kind.Face that it shows; -1 for none of them. Writable, W, for agents that have
-        /// a face.</summary>
-        AgentFace = 48,
-        /// <summary>World: 3, m/s^2, world frame. Writable, W.</summary>
-        WorldGravity = 49,
-        /// <summary>Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave
-        /// it. Writable with 0, to count anew.</summary>
-        WarningCount = 50,
+        GeomColor = 774,
+        /// <summary>Site: 3, world, m.</summary>
+        SitePosition = 1025,
+        /// <summary>Site: 4, w x y z.</summary>
+        SiteOrientation = 1026,
+        /// <summary>Site: 7, position and orientation.</summary>
+        SitePose = 1027,
         /// <summary>Site: 6, linear (m/s) of its position and angular (rad/s), world frame.</summary>
-        SiteVelocity = 51,
-        /// <summary>Agent: what its task wants of it, and what is so far; how many numbers they are, and of what,
-        /// depends on the task: docs/tasks.md. None where a task has no such thing, as those of your own, which have
-        /// fields.</summary>
-        AgentGoal = 52,
-        /// <summary>Agent: see Quantity.AgentGoal.</summary>
-        AgentAchieved = 53,
-        /// <summary>Agent: 1, months, as Growth says: of size and mass. None where the agent is no infant.</summary>
-        AgentAge = 54,
-        /// <summary>Agent: 1, months, of strength, range of motion and tone; likewise.</summary>
-        AgentPhysiologicalAge = 55,
-        /// <summary>Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the
-        /// joints on their way; 0 for what is no part of one.</summary>
-        BodyNerveLength = 56,
+        SiteVelocity = 1028,
+        /// <summary>Camera: 3, world, m.</summary>
+        CameraPosition = 1281,
+        /// <summary>Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.</summary>
+        CameraOrientation = 1282,
+        /// <summary>Camera: 7, position and orientation.</summary>
+        CameraPose = 1283,
+        /// <summary>Actuator: 1, control input. Writable.</summary>
+        ActuatorControl = 1537,
+        /// <summary>Actuator: 1, N or Nm.</summary>
+        ActuatorForce = 1538,
+        /// <summary>Actuator: 1, Nm at control 1. Writable, W.</summary>
+        ActuatorGear = 1539,
         /// <summary>Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of
         /// the one that pulls to the negative side, then of the other; until you change it or the world is reset, 70
         /// each. None where its agent senses no spindles, Proprioception.SpindlePrimary or
         /// Proprioception.SpindleSecondary. Writable.</summary>
-        ActuatorFusimotorDrive = 57,
+        ActuatorFusimotorDrive = 1540,
+        /// <summary>Sensor: its dimension.</summary>
+        SensorValue = 1793,
+        /// <summary>Light: 3, m, in the frame of its body, mostly the world. Writable, W.</summary>
+        LightPosition = 2049,
+        /// <summary>Light: 3, unit vector in that frame. Writable (any length), W.</summary>
+        LightDirection = 2050,
+        /// <summary>Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W.</summary>
+        LightColor = 2051,
+        /// <summary>Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).</summary>
+        ContactGeoms = 2305,
+        /// <summary>Contact: 2, ids of their bodies; of a flex that of the nearest vertex.</summary>
+        ContactBodies = 2306,
+        /// <summary>Contact: 3, world, m.</summary>
+        ContactPosition = 2307,
+        /// <summary>Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world.</summary>
+        ContactFrame = 2308,
+        /// <summary>Contact: 1, m; negative: how deep the geoms overlap, of boxes too.</summary>
+        ContactDistance = 2309,
+        /// <summary>Contact: 3, on the second body, in the contact's frame, N.</summary>
+        ContactForce = 2310,
+        /// <summary>Contact: 3, on the second body, in the contact's frame, Nm.</summary>
+        ContactTorque = 2311,
+        /// <summary>Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).</summary>
+        StepContactGeoms = 2561,
+        /// <summary>Step contact: 2, ids of their bodies.</summary>
+        StepContactBodies = 2562,
+        /// <summary>Step contact: 1, when they first touched, s since the step's start.</summary>
+        StepContactStart = 2563,
+        /// <summary>Step contact: 1, when they last touched, s since the step's start.</summary>
+        StepContactEnd = 2564,
+        /// <summary>Step contact: 3, on the second body over the step, world, N s.</summary>
+        StepContactImpulse = 2565,
+        /// <summary>Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.</summary>
+        StepContactPeakForce = 2566,
+        /// <summary>Step contact: 3, of the strongest contact at that time, world, m.</summary>
+        StepContactPeakPosition = 2567,
+        /// <summary>Agent: 1, id of the Kind.Face that it shows; -1 for none of them. Writable, W, for agents that have
+        /// a face.</summary>
+        AgentFace = 2817,
+        /// <summary>Agent: what its task wants of it, and what is so far; how many numbers they are, and of what,
+        /// depends on the task: docs/tasks.md. None where a task has no such thing, as those of your own, which have
+        /// fields.</summary>
+        AgentGoal = 2818,
+        /// <summary>Agent: see Quantity.AgentGoal.</summary>
+        AgentAchieved = 2819,
+        /// <summary>Agent: 1, months, as Growth says: of size and mass. None where the agent is no infant.</summary>
+        AgentAge = 2820,
+        /// <summary>Agent: 1, months, of strength, range of motion and tone; likewise.</summary>
+        AgentPhysiologicalAge = 2821,
+        /// <summary>World: 3, m/s^2, world frame. Writable, W.</summary>
+        WorldGravity = 3329,
+        /// <summary>Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave
+        /// it. Writable with 0, to count anew.</summary>
+        WarningSteps = 3585,
         /// <summary>Or-ed to a quantity: its value of now, which follows from the current positions and velocities;
         /// nothing is changed by asking. For poses, positions, orientations, centres of mass and velocities, and for
         /// what is always current.</summary>

@@ -99,7 +99,7 @@ internal static partial class Tests
                 touched = touched || contacts.Length > 0;
             }
             Check(touched, "it has landed");
-            Check(env.Get(Quantity.WarningCount).All(count => count == 0), "a clean run");
+            Check(env.Get(Quantity.WarningSteps).All(count => count == 0), "a clean run");
         }
     }
 

@@ -96,24 +96,24 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
   /// A quantity of some elements in all worlds, world after world; 0 in those that the mask leaves alone. Without ids of
   /// all of its kind.
-  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids,
+  std::vector<double> get_values(mimo_quantity quantity, const std::vector<std::int32_t> &ids,
                                  const std::vector<std::uint8_t> &mask = {}) {
     return values_of(quantity, detail::some(ids), ids.size(), mask);
   }
-  std::vector<double> get_values(std::int32_t quantity) { return values_of(quantity, nullptr, 0, {}); }
+  std::vector<double> get_values(mimo_quantity quantity) { return values_of(quantity, nullptr, 0, {}); }
   /// The same in single precision.
-  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) {
+  std::vector<float> get_floats(mimo_quantity quantity, const std::vector<std::int32_t> &ids) {
     std::vector<float> values(width(quantity, detail::some(ids), ids.size()) * size());
     check(mimo_batch_get_float(get(), quantity, detail::some(ids), ids.size(), nullptr, 0, values.data(),
                                values.size()));
     return values;
   }
-  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values,
+  void set_values(mimo_quantity quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values,
                   const std::vector<std::uint8_t> &mask = {}) {
     check(mimo_batch_set(get(), quantity, detail::some(ids), ids.size(), masked(mask), mask.size(), values.data(),
                          values.size()));
   }
-  void set_values(std::int32_t quantity, const std::vector<double> &values) {
+  void set_values(mimo_quantity quantity, const std::vector<double> &values) {
     check(mimo_batch_set(get(), quantity, nullptr, 0, nullptr, 0, values.data(), values.size()));
   }
 
@@ -139,12 +139,12 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
 
  private:
-  std::size_t width(std::int32_t quantity, const std::int32_t *ids, std::size_t count) {
+  std::size_t width(mimo_quantity quantity, const std::int32_t *ids, std::size_t count) {
     std::size_t width = 0;
     check(mimo_env_width(world(0), quantity, ids, count, &width));
     return width;
   }
-  std::vector<double> values_of(std::int32_t quantity, const std::int32_t *ids, std::size_t count,
+  std::vector<double> values_of(mimo_quantity quantity, const std::int32_t *ids, std::size_t count,
                                 const std::vector<std::uint8_t> &mask) {
     std::vector<double> values(width(quantity, ids, count) * size());
     check(mimo_batch_get(get(), quantity, ids, count, masked(mask), mask.size(), values.data(), values.size()));

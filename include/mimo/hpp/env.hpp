@@ -136,72 +136,72 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
   }
 
   /// How many of a kind (MIMO_BODY ...) there are.
-  std::size_t count(std::int32_t kind) const {
+  std::size_t count(mimo_kind kind) const {
     std::size_t count = 0;
     check(mimo_env_count(get(), kind, &count));
     return count;
   }
   /// All of a kind.
-  std::vector<std::int32_t> ids(std::int32_t kind) const {
+  std::vector<std::int32_t> ids(mimo_kind kind) const {
     std::vector<std::int32_t> ids(count(kind));
     for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = static_cast<std::int32_t>(i);
     return ids;
   }
-  std::int32_t find(std::int32_t kind, const std::string &name) const {
+  std::int32_t find(mimo_kind kind, const std::string &name) const {
     std::int32_t id = 0;
     check(mimo_env_find(get(), kind, name.c_str(), &id));
     return id;
   }
   /// "" where the model gives no name.
-  std::string name(std::int32_t kind, std::int32_t id) const {
+  std::string name(mimo_kind kind, std::int32_t id) const {
     const char *name = nullptr;
     check(mimo_env_name(get(), kind, id, &name));
     return name;
   }
   /// The body that a joint, geom, site or camera belongs to, or the parent of a body.
-  std::int32_t body_of(std::int32_t kind, std::int32_t id) const {
+  std::int32_t body_of(mimo_kind kind, std::int32_t id) const {
     std::int32_t body = 0;
     check(mimo_env_body_of(get(), kind, id, &body));
     return body;
   }
   /// How many values a quantity has for these ids together, and for all of its kind.
-  std::size_t width(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
+  std::size_t width(mimo_quantity quantity, const std::vector<std::int32_t> &ids) const {
     std::size_t count = 0;
     check(mimo_env_width(get(), quantity, detail::some(ids), ids.size(), &count));
     return count;
   }
-  std::size_t width(std::int32_t quantity) const {
+  std::size_t width(mimo_quantity quantity) const {
     std::size_t count = 0;
     check(mimo_env_width(get(), quantity, nullptr, 0, &count));
     return count;
   }
   /// A quantity of some elements, or of all of its kind. MIMO_NOW may be or-ed to it.
-  std::vector<double> get_values(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
+  std::vector<double> get_values(mimo_quantity quantity, const std::vector<std::int32_t> &ids) const {
     std::vector<double> values(width(quantity, ids));
     check(mimo_env_get(get(), quantity, detail::some(ids), ids.size(), values.data(), values.size()));
     return values;
   }
-  std::vector<double> get_values(std::int32_t quantity) const {
+  std::vector<double> get_values(mimo_quantity quantity) const {
     std::vector<double> values(width(quantity));
     check(mimo_env_get(get(), quantity, nullptr, 0, values.data(), values.size()));
     return values;
   }
   /// The same in single precision.
-  std::vector<float> get_floats(std::int32_t quantity, const std::vector<std::int32_t> &ids) const {
+  std::vector<float> get_floats(mimo_quantity quantity, const std::vector<std::int32_t> &ids) const {
     std::vector<float> values(width(quantity, ids));
     check(mimo_env_get_float(get(), quantity, detail::some(ids), ids.size(), values.data(), values.size()));
     return values;
   }
-  std::vector<float> get_floats(std::int32_t quantity) const {
+  std::vector<float> get_floats(mimo_quantity quantity) const {
     std::vector<float> values(width(quantity));
     check(mimo_env_get_float(get(), quantity, nullptr, 0, values.data(), values.size()));
     return values;
   }
-  void set_values(std::int32_t quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
+  void set_values(mimo_quantity quantity, const std::vector<std::int32_t> &ids, const std::vector<double> &values) {
     check(mimo_env_set(get(), quantity, detail::some(ids), ids.size(), values.data(), values.size()));
   }
   /// Of all of its kind.
-  void set_values(std::int32_t quantity, const std::vector<double> &values) {
+  void set_values(mimo_quantity quantity, const std::vector<double> &values) {
     check(mimo_env_set(get(), quantity, nullptr, 0, values.data(), values.size()));
   }
 
@@ -250,8 +250,8 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return all;
   }
   /// How many physics steps had a warning (MIMO_WARNING_...) since the world was made.
-  std::uint64_t warning_count(std::int32_t kind) const {
-    return static_cast<std::uint64_t>(get_values(MIMO_WARNING_COUNT, {kind})[0]);
+  std::uint64_t warning_steps(std::int32_t warning) const {
+    return static_cast<std::uint64_t>(get_values(MIMO_WARNING_STEPS, {warning})[0]);
   }
 
   /// Draws the current state; MIMO_VISION_ bits say what of it. Colour has three bytes a pixel here: for
@@ -314,13 +314,13 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     return light;
   }
   /// Where all of a kind are now: seven numbers each, see mimo_env_poses.
-  std::vector<float> poses(std::int32_t kind, std::int32_t axes = MIMO_AXES_MIMO) const {
+  std::vector<float> poses(mimo_kind kind, std::int32_t axes = MIMO_AXES_MIMO) const {
     std::vector<float> poses(7 * count(kind));
     read_poses(kind, axes, poses);
     return poses;
   }
   /// The same into memory that is there.
-  void read_poses(std::int32_t kind, std::int32_t axes, std::vector<float> &poses) const {
+  void read_poses(mimo_kind kind, std::int32_t axes, std::vector<float> &poses) const {
     check(mimo_env_poses(get(), kind, axes, poses.data(), poses.size()));
   }
 

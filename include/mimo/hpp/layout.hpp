@@ -86,7 +86,7 @@ class Layout {
     return all;
   }
   /// A MIMO_RECEPTOR_ quantity of all of them, one after the other.
-  std::vector<double> receptor_values(std::size_t field, std::int32_t quantity) const {
+  std::vector<double> receptor_values(std::size_t field, mimo_quantity quantity) const {
     std::size_t count = 0;
     check(mimo_layout_receptor_width(layout_, field, quantity, &count));
     std::vector<double> values(count);

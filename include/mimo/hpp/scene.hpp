@@ -117,7 +117,7 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   /// A further field of the observation.
   void add_field(const mimo_field_config &config) { check(mimo_scene_add_field(get(), &config)); }
   /// The same in one line: a quantity of some elements, in the frame of a body or, where that is "", of the world.
-  void add_field(const std::string &name, std::int32_t quantity, const std::vector<std::string> &elements,
+  void add_field(const std::string &name, mimo_quantity quantity, const std::vector<std::string> &elements,
                  const std::string &relative_to = "") {
     std::vector<const char *> names;
     for (const std::string &element : elements) names.push_back(element.c_str());

@@ -490,16 +490,16 @@ class FieldType(IntEnum):
 class Receptor(IntEnum):
     """What can be read of the receptors of the skin."""
 
-    BODY = 1
+    BODY = 8193
     """1, id of its body."""
 
-    GEOM = 2
+    GEOM = 8194
     """1, id of the geom whose surface it is on."""
 
-    POSITION = 3
+    POSITION = 8195
     """3, m, in the frame of its body."""
 
-    FRAME = 4
+    FRAME = 8196
     """9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is the body's x
     axis projected on the skin, or its y axis if x is within 10 degrees of the normal; the second is the normal x the
     first. A receptor that represents a whole small geom lies in its middle, and its normal is the body's x axis.
@@ -617,194 +617,194 @@ class Quantity(IntEnum):
     model may differ in it, and a set value survives resets.
     """
 
-    JOINT_POSITION = 1
-    """Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."""
-
-    JOINT_VELOCITY = 2
-    """Joint: 1, 3 or 6. Writable."""
-
-    JOINT_FORCE = 3
-    """Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable."""
-
-    JOINT_ACCELERATION = 4
-    """Joint: 1, 3 or 6."""
-
-    JOINT_RANGE = 5
-    """Joint: 2, low and high; -inf and inf when not limited."""
-
-    BODY_POSITION = 6
+    BODY_POSITION = 257
     """Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without
     joints.
     """
 
-    BODY_ORIENTATION = 7
+    BODY_ORIENTATION = 258
     """Body: 4, w x y z. Writable as Quantity.BODY_POSITION."""
 
-    BODY_VELOCITY = 8
+    BODY_VELOCITY = 259
     """Body: 6, linear (m/s) of its origin and angular (rad/s), world frame."""
 
-    BODY_FORCE = 9
+    BODY_FORCE = 260
     """Body: 6, force and torque at its centre of mass, world. Writable as Quantity.JOINT_FORCE."""
 
-    BODY_MASS = 10
+    BODY_MASS = 261
     """Body: 1, kg, > 0. Writable, W: its inertia grows along."""
 
-    BODY_CENTER_OF_MASS = 11
+    BODY_CENTER_OF_MASS = 262
     """Body: 3, of the body alone, world, m."""
 
-    GEOM_POSITION = 12
-    """Geom: 3, world, m."""
-
-    GEOM_ORIENTATION = 13
-    """Geom: 4, w x y z."""
-
-    GEOM_SIZE = 14
-    """Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes
-    and height fields: what touches and what is seen; mass, inertia and touch sensors stay.
-    """
-
-    SITE_POSITION = 15
-    """Site: 3, world, m."""
-
-    SITE_ORIENTATION = 16
-    """Site: 4, w x y z."""
-
-    CAMERA_POSITION = 17
-    """Camera: 3, world, m."""
-
-    CAMERA_ORIENTATION = 18
-    """Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture."""
-
-    ACTUATOR_CONTROL = 19
-    """Actuator: 1, control input. Writable."""
-
-    ACTUATOR_FORCE = 20
-    """Actuator: 1, N or Nm."""
-
-    SENSOR_VALUE = 21
-    """Sensor: its dimension."""
-
-    ACTUATOR_GEAR = 22
-    """Actuator: 1, Nm at control 1. Writable, W."""
-
-    BODY_POSE = 23
+    BODY_POSE = 263
     """Body: 7, position and orientation. Writable as Quantity.BODY_POSITION."""
 
-    GEOM_POSE = 24
-    """Geom: 7, position and orientation."""
-
-    SITE_POSE = 25
-    """Site: 7, position and orientation."""
-
-    CAMERA_POSE = 26
-    """Camera: 7, position and orientation."""
-
-    GEOM_FRICTION = 27
-    """Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
-    model says. Writable, W.
-    """
-
-    GEOM_COLOR = 28
-    """Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
-    material. Writable, W.
-    """
-
-    JOINT_DAMPING = 29
-    """Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W."""
-
-    JOINT_LOCK = 30
-    """Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
-    mimo_env_set. 0 and 0 where nothing could hold it.
-    """
-
-    LIGHT_POSITION = 31
-    """Light: 3, m, in the frame of its body, mostly the world. Writable, W."""
-
-    LIGHT_DIRECTION = 32
-    """Light: 3, unit vector in that frame. Writable (any length), W."""
-
-    LIGHT_COLOR = 33
-    """Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W."""
-
-    CONTACT_GEOMS = 34
-    """Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4)."""
-
-    CONTACT_BODIES = 35
-    """Contact: 2, ids of their bodies; of a flex that of the nearest vertex."""
-
-    CONTACT_POSITION = 36
-    """Contact: 3, world, m."""
-
-    CONTACT_FRAME = 37
-    """Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world."""
-
-    CONTACT_DISTANCE = 38
-    """Contact: 1, m; negative: how deep the geoms overlap, of boxes too."""
-
-    CONTACT_FORCE = 39
-    """Contact: 3, on the second body, in the contact's frame, N."""
-
-    CONTACT_TORQUE = 40
-    """Contact: 3, on the second body, in the contact's frame, Nm."""
-
-    STEP_CONTACT_GEOMS = 41
-    """Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4)."""
-
-    STEP_CONTACT_BODIES = 42
-    """Step contact: 2, ids of their bodies."""
-
-    STEP_CONTACT_START = 43
-    """Step contact: 1, when they first touched, s since the step's start."""
-
-    STEP_CONTACT_END = 44
-    """Step contact: 1, when they last touched, s since the step's start."""
-
-    STEP_CONTACT_IMPULSE = 45
-    """Step contact: 3, on the second body over the step, world, N s."""
-
-    STEP_CONTACT_PEAK_FORCE = 46
-    """Step contact: 3, the largest of the physics steps' forces, on the second body, world, N."""
-
-    STEP_CONTACT_PEAK_POSITION = 47
-    """Step contact: 3, of the strongest contact at that time, world, m."""
-
-    AGENT_FACE = 48
-    """Agent: 1, id of the Kind.FACE that it shows; -1 for none of them. Writable, W, for agents that have a face."""
-
-    WORLD_GRAVITY = 49
-    """World: 3, m/s^2, world frame. Writable, W."""
-
-    WARNING_COUNT = 50
-    """Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
-    with 0, to count anew.
-    """
-
-    SITE_VELOCITY = 51
-    """Site: 6, linear (m/s) of its position and angular (rad/s), world frame."""
-
-    AGENT_GOAL = 52
-    """Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the
-    task: docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
-    """
-
-    AGENT_ACHIEVED = 53
-    """Agent: see Quantity.AGENT_GOAL."""
-
-    AGENT_AGE = 54
-    """Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant."""
-
-    AGENT_PHYSIOLOGICAL_AGE = 55
-    """Agent: 1, months, of strength, range of motion and tone; likewise."""
-
-    BODY_NERVE_LENGTH = 56
+    BODY_NERVE_LENGTH = 264
     """Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
     their way; 0 for what is no part of one.
     """
 
-    ACTUATOR_FUSIMOTOR_DRIVE = 57
+    JOINT_POSITION = 513
+    """Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."""
+
+    JOINT_VELOCITY = 514
+    """Joint: 1, 3 or 6. Writable."""
+
+    JOINT_FORCE = 515
+    """Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable."""
+
+    JOINT_ACCELERATION = 516
+    """Joint: 1, 3 or 6."""
+
+    JOINT_RANGE = 517
+    """Joint: 2, low and high; -inf and inf when not limited."""
+
+    JOINT_DAMPING = 518
+    """Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W."""
+
+    JOINT_LOCK = 519
+    """Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
+    mimo_env_set. 0 and 0 where nothing could hold it.
+    """
+
+    GEOM_POSITION = 769
+    """Geom: 3, world, m."""
+
+    GEOM_ORIENTATION = 770
+    """Geom: 4, w x y z."""
+
+    GEOM_SIZE = 771
+    """Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes
+    and height fields: what touches and what is seen; mass, inertia and touch sensors stay.
+    """
+
+    GEOM_POSE = 772
+    """Geom: 7, position and orientation."""
+
+    GEOM_FRICTION = 773
+    """Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
+    model says. Writable, W.
+    """
+
+    GEOM_COLOR = 774
+    """Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
+    material. Writable, W.
+    """
+
+    SITE_POSITION = 1025
+    """Site: 3, world, m."""
+
+    SITE_ORIENTATION = 1026
+    """Site: 4, w x y z."""
+
+    SITE_POSE = 1027
+    """Site: 7, position and orientation."""
+
+    SITE_VELOCITY = 1028
+    """Site: 6, linear (m/s) of its position and angular (rad/s), world frame."""
+
+    CAMERA_POSITION = 1281
+    """Camera: 3, world, m."""
+
+    CAMERA_ORIENTATION = 1282
+    """Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture."""
+
+    CAMERA_POSE = 1283
+    """Camera: 7, position and orientation."""
+
+    ACTUATOR_CONTROL = 1537
+    """Actuator: 1, control input. Writable."""
+
+    ACTUATOR_FORCE = 1538
+    """Actuator: 1, N or Nm."""
+
+    ACTUATOR_GEAR = 1539
+    """Actuator: 1, Nm at control 1. Writable, W."""
+
+    ACTUATOR_FUSIMOTOR_DRIVE = 1540
     """Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
     pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
     agent senses no spindles, Proprioception.SPINDLE_PRIMARY or SECONDARY. Writable.
+    """
+
+    SENSOR_VALUE = 1793
+    """Sensor: its dimension."""
+
+    LIGHT_POSITION = 2049
+    """Light: 3, m, in the frame of its body, mostly the world. Writable, W."""
+
+    LIGHT_DIRECTION = 2050
+    """Light: 3, unit vector in that frame. Writable (any length), W."""
+
+    LIGHT_COLOR = 2051
+    """Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W."""
+
+    CONTACT_GEOMS = 2305
+    """Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4)."""
+
+    CONTACT_BODIES = 2306
+    """Contact: 2, ids of their bodies; of a flex that of the nearest vertex."""
+
+    CONTACT_POSITION = 2307
+    """Contact: 3, world, m."""
+
+    CONTACT_FRAME = 2308
+    """Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world."""
+
+    CONTACT_DISTANCE = 2309
+    """Contact: 1, m; negative: how deep the geoms overlap, of boxes too."""
+
+    CONTACT_FORCE = 2310
+    """Contact: 3, on the second body, in the contact's frame, N."""
+
+    CONTACT_TORQUE = 2311
+    """Contact: 3, on the second body, in the contact's frame, Nm."""
+
+    STEP_CONTACT_GEOMS = 2561
+    """Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4)."""
+
+    STEP_CONTACT_BODIES = 2562
+    """Step contact: 2, ids of their bodies."""
+
+    STEP_CONTACT_START = 2563
+    """Step contact: 1, when they first touched, s since the step's start."""
+
+    STEP_CONTACT_END = 2564
+    """Step contact: 1, when they last touched, s since the step's start."""
+
+    STEP_CONTACT_IMPULSE = 2565
+    """Step contact: 3, on the second body over the step, world, N s."""
+
+    STEP_CONTACT_PEAK_FORCE = 2566
+    """Step contact: 3, the largest of the physics steps' forces, on the second body, world, N."""
+
+    STEP_CONTACT_PEAK_POSITION = 2567
+    """Step contact: 3, of the strongest contact at that time, world, m."""
+
+    AGENT_FACE = 2817
+    """Agent: 1, id of the Kind.FACE that it shows; -1 for none of them. Writable, W, for agents that have a face."""
+
+    AGENT_GOAL = 2818
+    """Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the
+    task: docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+    """
+
+    AGENT_ACHIEVED = 2819
+    """Agent: see Quantity.AGENT_GOAL."""
+
+    AGENT_AGE = 2820
+    """Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant."""
+
+    AGENT_PHYSIOLOGICAL_AGE = 2821
+    """Agent: 1, months, of strength, range of motion and tone; likewise."""
+
+    WORLD_GRAVITY = 3329
+    """World: 3, m/s^2, world frame. Writable, W."""
+
+    WARNING_STEPS = 3585
+    """Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
+    with 0, to count anew.
     """
 
 

@@ -353,7 +353,7 @@ class World(Geometry):
 
     def warnings(self) -> Dict[str, int]:
         """How many physics steps had each kind of warning since the world was made: all 0 for a clean run."""
-        counts = self.get(Quantity.WARNING_COUNT)
+        counts = self.get(Quantity.WARNING_STEPS)
         return {self.name(Kind.WARNING, index): int(count) for index, count in enumerate(counts)}
 
     # ---- Looking ---------------------------------------------------------------------------------------------------

@@ -392,18 +392,18 @@ pub const MIMO_F32: i32 = 3;
 pub const MIMO_F64: i32 = 4;
 
 /// 1, id of its body.
-pub const MIMO_RECEPTOR_BODY: i32 = 1;
+pub const MIMO_RECEPTOR_BODY: i32 = 8193;
 
 /// 1, id of the geom whose surface it is on.
-pub const MIMO_RECEPTOR_GEOM: i32 = 2;
+pub const MIMO_RECEPTOR_GEOM: i32 = 8194;
 
 /// 3, m, in the frame of its body.
-pub const MIMO_RECEPTOR_POSITION: i32 = 3;
+pub const MIMO_RECEPTOR_POSITION: i32 = 8195;
 
 /// 9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is the body's x axis
 /// projected on the skin, or its y axis if x is within 10 degrees of the normal; the second is the normal x the first.
 /// A receptor that represents a whole small geom lies in its middle, and its normal is the body's x axis.
-pub const MIMO_RECEPTOR_FRAME: i32 = 4;
+pub const MIMO_RECEPTOR_FRAME: i32 = 8196;
 
 /// The model's setting; built-in scenes use sparse.
 pub const MIMO_JACOBIAN_MODEL: i32 = 0;
@@ -489,186 +489,186 @@ pub const MIMO_WORLD: i32 = 13;
 /// Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one.
 pub const MIMO_WARNING: i32 = 14;
 
-/// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
-pub const MIMO_JOINT_POSITION: i32 = 1;
-
-/// Joint: 1, 3 or 6. Writable.
-pub const MIMO_JOINT_VELOCITY: i32 = 2;
-
-/// Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
-pub const MIMO_JOINT_FORCE: i32 = 3;
-
-/// Joint: 1, 3 or 6.
-pub const MIMO_JOINT_ACCELERATION: i32 = 4;
-
-/// Joint: 2, low and high; -inf and inf when not limited.
-pub const MIMO_JOINT_RANGE: i32 = 5;
-
 /// Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without
 /// joints.
-pub const MIMO_BODY_POSITION: i32 = 6;
+pub const MIMO_BODY_POSITION: i32 = 257;
 
 /// Body: 4, w x y z. Writable as MIMO_BODY_POSITION.
-pub const MIMO_BODY_ORIENTATION: i32 = 7;
+pub const MIMO_BODY_ORIENTATION: i32 = 258;
 
 /// Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.
-pub const MIMO_BODY_VELOCITY: i32 = 8;
+pub const MIMO_BODY_VELOCITY: i32 = 259;
 
 /// Body: 6, force and torque at its centre of mass, world. Writable as MIMO_JOINT_FORCE.
-pub const MIMO_BODY_FORCE: i32 = 9;
+pub const MIMO_BODY_FORCE: i32 = 260;
 
 /// Body: 1, kg, > 0. Writable, W: its inertia grows along.
-pub const MIMO_BODY_MASS: i32 = 10;
+pub const MIMO_BODY_MASS: i32 = 261;
 
 /// Body: 3, of the body alone, world, m.
-pub const MIMO_BODY_CENTER_OF_MASS: i32 = 11;
-
-/// Geom: 3, world, m.
-pub const MIMO_GEOM_POSITION: i32 = 12;
-
-/// Geom: 4, w x y z.
-pub const MIMO_GEOM_ORIENTATION: i32 = 13;
-
-/// Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes
-/// and height fields: what touches and what is seen; mass, inertia and touch sensors stay.
-pub const MIMO_GEOM_SIZE: i32 = 14;
-
-/// Site: 3, world, m.
-pub const MIMO_SITE_POSITION: i32 = 15;
-
-/// Site: 4, w x y z.
-pub const MIMO_SITE_ORIENTATION: i32 = 16;
-
-/// Camera: 3, world, m.
-pub const MIMO_CAMERA_POSITION: i32 = 17;
-
-/// Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.
-pub const MIMO_CAMERA_ORIENTATION: i32 = 18;
-
-/// Actuator: 1, control input. Writable.
-pub const MIMO_ACTUATOR_CONTROL: i32 = 19;
-
-/// Actuator: 1, N or Nm.
-pub const MIMO_ACTUATOR_FORCE: i32 = 20;
-
-/// Sensor: its dimension.
-pub const MIMO_SENSOR_VALUE: i32 = 21;
-
-/// Actuator: 1, Nm at control 1. Writable, W.
-pub const MIMO_ACTUATOR_GEAR: i32 = 22;
+pub const MIMO_BODY_CENTER_OF_MASS: i32 = 262;
 
 /// Body: 7, position and orientation. Writable as MIMO_BODY_POSITION.
-pub const MIMO_BODY_POSE: i32 = 23;
-
-/// Geom: 7, position and orientation.
-pub const MIMO_GEOM_POSE: i32 = 24;
-
-/// Site: 7, position and orientation.
-pub const MIMO_SITE_POSE: i32 = 25;
-
-/// Camera: 7, position and orientation.
-pub const MIMO_CAMERA_POSE: i32 = 26;
-
-/// Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
-/// model says. Writable, W.
-pub const MIMO_GEOM_FRICTION: i32 = 27;
-
-/// Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
-/// material. Writable, W.
-pub const MIMO_GEOM_COLOR: i32 = 28;
-
-/// Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W.
-pub const MIMO_JOINT_DAMPING: i32 = 29;
-
-/// Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
-/// mimo_env_set. 0 and 0 where nothing could hold it.
-pub const MIMO_JOINT_LOCK: i32 = 30;
-
-/// Light: 3, m, in the frame of its body, mostly the world. Writable, W.
-pub const MIMO_LIGHT_POSITION: i32 = 31;
-
-/// Light: 3, unit vector in that frame. Writable (any length), W.
-pub const MIMO_LIGHT_DIRECTION: i32 = 32;
-
-/// Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W.
-pub const MIMO_LIGHT_COLOR: i32 = 33;
-
-/// Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).
-pub const MIMO_CONTACT_GEOMS: i32 = 34;
-
-/// Contact: 2, ids of their bodies; of a flex that of the nearest vertex.
-pub const MIMO_CONTACT_BODIES: i32 = 35;
-
-/// Contact: 3, world, m.
-pub const MIMO_CONTACT_POSITION: i32 = 36;
-
-/// Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world.
-pub const MIMO_CONTACT_FRAME: i32 = 37;
-
-/// Contact: 1, m; negative: how deep the geoms overlap, of boxes too.
-pub const MIMO_CONTACT_DISTANCE: i32 = 38;
-
-/// Contact: 3, on the second body, in the contact's frame, N.
-pub const MIMO_CONTACT_FORCE: i32 = 39;
-
-/// Contact: 3, on the second body, in the contact's frame, Nm.
-pub const MIMO_CONTACT_TORQUE: i32 = 40;
-
-/// Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).
-pub const MIMO_STEP_CONTACT_GEOMS: i32 = 41;
-
-/// Step contact: 2, ids of their bodies.
-pub const MIMO_STEP_CONTACT_BODIES: i32 = 42;
-
-/// Step contact: 1, when they first touched, s since the step's start.
-pub const MIMO_STEP_CONTACT_START: i32 = 43;
-
-/// Step contact: 1, when they last touched, s since the step's start.
-pub const MIMO_STEP_CONTACT_END: i32 = 44;
-
-/// Step contact: 3, on the second body over the step, world, N s.
-pub const MIMO_STEP_CONTACT_IMPULSE: i32 = 45;
-
-/// Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.
-pub const MIMO_STEP_CONTACT_PEAK_FORCE: i32 = 46;
-
-/// Step contact: 3, of the strongest contact at that time, world, m.
-pub const MIMO_STEP_CONTACT_PEAK_POSITION: i32 = 47;
-
-/// Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face.
-pub const MIMO_AGENT_FACE: i32 = 48;
-
-/// World: 3, m/s^2, world frame. Writable, W.
-pub const MIMO_WORLD_GRAVITY: i32 = 49;
-
-/// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
-/// with 0, to count anew.
-pub const MIMO_WARNING_COUNT: i32 = 50;
-
-/// Site: 6, linear (m/s) of its position and angular (rad/s), world frame.
-pub const MIMO_SITE_VELOCITY: i32 = 51;
-
-/// Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
-/// docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
-pub const MIMO_AGENT_GOAL: i32 = 52;
-
-/// Agent: see MIMO_AGENT_GOAL.
-pub const MIMO_AGENT_ACHIEVED: i32 = 53;
-
-/// Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
-pub const MIMO_AGENT_AGE: i32 = 54;
-
-/// Agent: 1, months, of strength, range of motion and tone; likewise.
-pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: i32 = 55;
+pub const MIMO_BODY_POSE: i32 = 263;
 
 /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
 /// way; 0 for what is no part of one.
-pub const MIMO_BODY_NERVE_LENGTH: i32 = 56;
+pub const MIMO_BODY_NERVE_LENGTH: i32 = 264;
+
+/// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
+pub const MIMO_JOINT_POSITION: i32 = 513;
+
+/// Joint: 1, 3 or 6. Writable.
+pub const MIMO_JOINT_VELOCITY: i32 = 514;
+
+/// Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
+pub const MIMO_JOINT_FORCE: i32 = 515;
+
+/// Joint: 1, 3 or 6.
+pub const MIMO_JOINT_ACCELERATION: i32 = 516;
+
+/// Joint: 2, low and high; -inf and inf when not limited.
+pub const MIMO_JOINT_RANGE: i32 = 517;
+
+/// Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W.
+pub const MIMO_JOINT_DAMPING: i32 = 518;
+
+/// Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
+/// mimo_env_set. 0 and 0 where nothing could hold it.
+pub const MIMO_JOINT_LOCK: i32 = 519;
+
+/// Geom: 3, world, m.
+pub const MIMO_GEOM_POSITION: i32 = 769;
+
+/// Geom: 4, w x y z.
+pub const MIMO_GEOM_ORIENTATION: i32 = 770;
+
+/// Geom: 3, by shape, m, > 0; those that its shape does not use are left alone. Writable, W, but for planes, meshes
+/// and height fields: what touches and what is seen; mass, inertia and touch sensors stay.
+pub const MIMO_GEOM_SIZE: i32 = 771;
+
+/// Geom: 7, position and orientation.
+pub const MIMO_GEOM_POSE: i32 = 772;
+
+/// Geom: 3, sliding, torsional (m), rolling (m), >= 0; two geoms meet with the larger one, or as their pair in the
+/// model says. Writable, W.
+pub const MIMO_GEOM_FRICTION: i32 = 773;
+
+/// Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
+/// material. Writable, W.
+pub const MIMO_GEOM_COLOR: i32 = 774;
+
+/// Site: 3, world, m.
+pub const MIMO_SITE_POSITION: i32 = 1025;
+
+/// Site: 4, w x y z.
+pub const MIMO_SITE_ORIENTATION: i32 = 1026;
+
+/// Site: 7, position and orientation.
+pub const MIMO_SITE_POSE: i32 = 1027;
+
+/// Site: 6, linear (m/s) of its position and angular (rad/s), world frame.
+pub const MIMO_SITE_VELOCITY: i32 = 1028;
+
+/// Camera: 3, world, m.
+pub const MIMO_CAMERA_POSITION: i32 = 1281;
+
+/// Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.
+pub const MIMO_CAMERA_ORIENTATION: i32 = 1282;
+
+/// Camera: 7, position and orientation.
+pub const MIMO_CAMERA_POSE: i32 = 1283;
+
+/// Actuator: 1, control input. Writable.
+pub const MIMO_ACTUATOR_CONTROL: i32 = 1537;
+
+/// Actuator: 1, N or Nm.
+pub const MIMO_ACTUATOR_FORCE: i32 = 1538;
+
+/// Actuator: 1, Nm at control 1. Writable, W.
+pub const MIMO_ACTUATOR_GEAR: i32 = 1539;
 
 /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
 /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
 /// agent senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
-pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: i32 = 57;
+pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: i32 = 1540;
+
+/// Sensor: its dimension.
+pub const MIMO_SENSOR_VALUE: i32 = 1793;
+
+/// Light: 3, m, in the frame of its body, mostly the world. Writable, W.
+pub const MIMO_LIGHT_POSITION: i32 = 2049;
+
+/// Light: 3, unit vector in that frame. Writable (any length), W.
+pub const MIMO_LIGHT_DIRECTION: i32 = 2050;
+
+/// Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W.
+pub const MIMO_LIGHT_COLOR: i32 = 2051;
+
+/// Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).
+pub const MIMO_CONTACT_GEOMS: i32 = 2305;
+
+/// Contact: 2, ids of their bodies; of a flex that of the nearest vertex.
+pub const MIMO_CONTACT_BODIES: i32 = 2306;
+
+/// Contact: 3, world, m.
+pub const MIMO_CONTACT_POSITION: i32 = 2307;
+
+/// Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world.
+pub const MIMO_CONTACT_FRAME: i32 = 2308;
+
+/// Contact: 1, m; negative: how deep the geoms overlap, of boxes too.
+pub const MIMO_CONTACT_DISTANCE: i32 = 2309;
+
+/// Contact: 3, on the second body, in the contact's frame, N.
+pub const MIMO_CONTACT_FORCE: i32 = 2310;
+
+/// Contact: 3, on the second body, in the contact's frame, Nm.
+pub const MIMO_CONTACT_TORQUE: i32 = 2311;
+
+/// Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).
+pub const MIMO_STEP_CONTACT_GEOMS: i32 = 2561;
+
+/// Step contact: 2, ids of their bodies.
+pub const MIMO_STEP_CONTACT_BODIES: i32 = 2562;
+
+/// Step contact: 1, when they first touched, s since the step's start.
+pub const MIMO_STEP_CONTACT_START: i32 = 2563;
+
+/// Step contact: 1, when they last touched, s since the step's start.
+pub const MIMO_STEP_CONTACT_END: i32 = 2564;
+
+/// Step contact: 3, on the second body over the step, world, N s.
+pub const MIMO_STEP_CONTACT_IMPULSE: i32 = 2565;
+
+/// Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.
+pub const MIMO_STEP_CONTACT_PEAK_FORCE: i32 = 2566;
+
+/// Step contact: 3, of the strongest contact at that time, world, m.
+pub const MIMO_STEP_CONTACT_PEAK_POSITION: i32 = 2567;
+
+/// Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face.
+pub const MIMO_AGENT_FACE: i32 = 2817;
+
+/// Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
+/// docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+pub const MIMO_AGENT_GOAL: i32 = 2818;
+
+/// Agent: see MIMO_AGENT_GOAL.
+pub const MIMO_AGENT_ACHIEVED: i32 = 2819;
+
+/// Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
+pub const MIMO_AGENT_AGE: i32 = 2820;
+
+/// Agent: 1, months, of strength, range of motion and tone; likewise.
+pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: i32 = 2821;
+
+/// World: 3, m/s^2, world frame. Writable, W.
+pub const MIMO_WORLD_GRAVITY: i32 = 3329;
+
+/// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
+/// with 0, to count anew.
+pub const MIMO_WARNING_STEPS: i32 = 3585;
 
 /// Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed
 /// by asking. For poses, positions, orientations, centres of mass and velocities, and for what is always current.
@@ -726,6 +726,12 @@ pub const MIMO_AUTORESET_SAME_STEP: i32 = 2;
 
 /// Result of a call: MIMO_OK or one of the negative MIMO_E_ constants.
 pub type mimo_status = i32;
+
+/// A kind of things in a world: MIMO_BODY, MIMO_JOINT, ... (access.h).
+pub type mimo_kind = i32;
+
+/// What can be read of things: MIMO_BODY_POSITION, ... (access.h), MIMO_RECEPTOR_POSITION, ... (observation.h).
+pub type mimo_quantity = i32;
 
 /// A description of a simulation. It may be changed or destroyed once environments exist: they are not affected.
 #[repr(C)]
@@ -954,7 +960,7 @@ pub struct mimo_field_config {
     pub struct_size: u32,
     /// A quantity of access.h, except of contacts, whose number varies. Poses and velocities of bodies belong to the
     /// start of the last physics step, with MIMO_NOW to the end of the step.
-    pub quantity: i32,
+    pub quantity: mimo_quantity,
     /// Name of the field, "toys/position"; required, unique among fields.
     pub name: *const c_char,
     /// Names of bodies, joints, sites, sensors...; "" for the agent of a scene with one.
@@ -2332,12 +2338,12 @@ extern "C" {
     pub fn mimo_layout_directions(layout: *const mimo_layout, field: usize, directions: *mut f32, count: usize) -> mimo_status;
 
     /// Number of values of a quantity (MIMO_RECEPTOR_POSITION ...) for all receptors of a field together.
-    pub fn mimo_layout_receptor_width(layout: *const mimo_layout, field: usize, quantity: i32, value_count: *mut usize) -> mimo_status;
+    pub fn mimo_layout_receptor_width(layout: *const mimo_layout, field: usize, quantity: mimo_quantity, value_count: *mut usize) -> mimo_status;
 
     /// Reads a quantity of all receptors of a field, one after the other.
     ///
     /// * `value_count`: length of values, as mimo_layout_receptor_width gives it.
-    pub fn mimo_layout_receptors(layout: *const mimo_layout, field: usize, quantity: i32, values: *mut f64, value_count: usize) -> mimo_status;
+    pub fn mimo_layout_receptors(layout: *const mimo_layout, field: usize, quantity: mimo_quantity, values: *mut f64, value_count: usize) -> mimo_status;
 
     /// Describes the index-th action. Set action->struct_size first.
     pub fn mimo_layout_action(layout: *const mimo_layout, index: usize, action: *mut mimo_action) -> mimo_status;
@@ -2467,23 +2473,23 @@ extern "C" {
     pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
 
     /// Number of elements of a kind (MIMO_BODY ...) in the world.
-    pub fn mimo_env_count(env: *const mimo_env, kind: i32, count: *mut usize) -> mimo_status;
+    pub fn mimo_env_count(env: *const mimo_env, kind: mimo_kind, count: *mut usize) -> mimo_status;
 
     /// Finds an element by its name.
     ///
     /// Errors: MIMO_E_NOT_FOUND; the message lists existing names.
-    pub fn mimo_env_find(env: *const mimo_env, kind: i32, name: *const c_char, id: *mut i32) -> mimo_status;
+    pub fn mimo_env_find(env: *const mimo_env, kind: mimo_kind, name: *const c_char, id: *mut i32) -> mimo_status;
 
     /// Name of an element; "" if it has none. The string is owned by the environment.
-    pub fn mimo_env_name(env: *const mimo_env, kind: i32, id: i32, name: *mut *const c_char) -> mimo_status;
+    pub fn mimo_env_name(env: *const mimo_env, kind: mimo_kind, id: i32, name: *mut *const c_char) -> mimo_status;
 
     /// The body that a joint, geom, site, camera or light belongs to, or the parent of a body.
-    pub fn mimo_env_body_of(env: *const mimo_env, kind: i32, id: i32, body: *mut i32) -> mimo_status;
+    pub fn mimo_env_body_of(env: *const mimo_env, kind: mimo_kind, id: i32, body: *mut i32) -> mimo_status;
 
     /// Number of values of a quantity (MIMO_JOINT_POSITION ...) for a list of ids together.
     ///
     /// * `ids`: NULL with id_count 0: all of the quantity's kind.
-    pub fn mimo_env_width(env: *const mimo_env, quantity: i32, ids: *const i32, id_count: usize, value_count: *mut usize) -> mimo_status;
+    pub fn mimo_env_width(env: *const mimo_env, quantity: mimo_quantity, ids: *const i32, id_count: usize, value_count: *mut usize) -> mimo_status;
 
     /// Reads a quantity of many elements at once, one after the other. Values that are not computed (positions and
     /// velocities of joints, controls, applied forces, and all marked W) are current. Poses, positions, orientations,
@@ -2500,10 +2506,10 @@ extern "C" {
     /// * `ids`: NULL with id_count 0: all of the quantity's kind.
     ///
     /// * `value_count`: length of values, as mimo_env_width gives it.
-    pub fn mimo_env_get(env: *const mimo_env, quantity: i32, ids: *const i32, id_count: usize, values: *mut f64, value_count: usize) -> mimo_status;
+    pub fn mimo_env_get(env: *const mimo_env, quantity: mimo_quantity, ids: *const i32, id_count: usize, values: *mut f64, value_count: usize) -> mimo_status;
 
     /// The same in single precision, for engines.
-    pub fn mimo_env_get_float(env: *const mimo_env, quantity: i32, ids: *const i32, id_count: usize, values: *mut f32, value_count: usize) -> mimo_status;
+    pub fn mimo_env_get_float(env: *const mimo_env, quantity: mimo_quantity, ids: *const i32, id_count: usize, values: *mut f32, value_count: usize) -> mimo_status;
 
     /// Writes a quantity of many elements at once; of an id that occurs twice the last value applies. Quaternions and
     /// directions are normalised. Moving joints, bodies or lights recomputes all poses (as mimo_env_update does); a
@@ -2516,7 +2522,7 @@ extern "C" {
     /// for a light that follows a body; for the face of an agent without faces. Nothing is written then.
     ///
     /// * `ids`: NULL with id_count 0: all of the quantity's kind.
-    pub fn mimo_env_set(env: *mut mimo_env, quantity: i32, ids: *const i32, id_count: usize, values: *const f64, value_count: usize) -> mimo_status;
+    pub fn mimo_env_set(env: *mut mimo_env, quantity: mimo_quantity, ids: *const i32, id_count: usize, values: *const f64, value_count: usize) -> mimo_status;
 
     /// Recomputes poses (bodies, geoms, sites, cameras) from the joints' positions, so that mimo_env_get returns
     /// current poses until the next step. The trajectory does not change.
@@ -2540,7 +2546,7 @@ extern "C" {
     /// * `axes`: a MIMO_AXES_ constant.
     ///
     /// * `value_count`: length of poses: seven times mimo_env_count.
-    pub fn mimo_env_poses(env: *const mimo_env, kind: i32, axes: i32, poses: *mut f32, value_count: usize) -> mimo_status;
+    pub fn mimo_env_poses(env: *const mimo_env, kind: mimo_kind, axes: i32, poses: *mut f32, value_count: usize) -> mimo_status;
 
     /// Fills a mesh with defaults: no arrays.
     pub fn mimo_mesh_init(mesh: *mut mimo_mesh, size: usize) -> mimo_status;
@@ -2838,13 +2844,13 @@ extern "C" {
     /// Errors: MIMO_E_INVALID_ARGUMENT for contacts, of which worlds have different numbers.
     ///
     /// * `values`: worlds x the width that mimo_env_width gives for the ids.
-    pub fn mimo_batch_get(batch: *const mimo_batch, quantity: i32, ids: *const i32, id_count: usize, mask: *const u8, worlds: usize, values: *mut f64, value_count: usize) -> mimo_status;
+    pub fn mimo_batch_get(batch: *const mimo_batch, quantity: mimo_quantity, ids: *const i32, id_count: usize, mask: *const u8, worlds: usize, values: *mut f64, value_count: usize) -> mimo_status;
 
     /// The same in single precision, for engines.
-    pub fn mimo_batch_get_float(batch: *const mimo_batch, quantity: i32, ids: *const i32, id_count: usize, mask: *const u8, worlds: usize, values: *mut f32, value_count: usize) -> mimo_status;
+    pub fn mimo_batch_get_float(batch: *const mimo_batch, quantity: mimo_quantity, ids: *const i32, id_count: usize, mask: *const u8, worlds: usize, values: *mut f32, value_count: usize) -> mimo_status;
 
     /// Writes a quantity of many ids in many worlds, as mimo_env_set. All values are checked before any is written.
-    pub fn mimo_batch_set(batch: *mut mimo_batch, quantity: i32, ids: *const i32, id_count: usize, mask: *const u8, worlds: usize, values: *const f64, value_count: usize) -> mimo_status;
+    pub fn mimo_batch_set(batch: *mut mimo_batch, quantity: mimo_quantity, ids: *const i32, id_count: usize, mask: *const u8, worlds: usize, values: *const f64, value_count: usize) -> mimo_status;
 
     /// Size of each world's state: of the longest, because worlds of different ages may have states of different
     /// sizes. Only a reset to another age changes it.

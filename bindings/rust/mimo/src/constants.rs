@@ -448,16 +448,6 @@ values! {
     /// Values of things. Each names its kind, the number of values per thing, and their meaning. Writable ones can be set.
     /// W: worlds of one model may differ in it, and a set value survives resets.
     Quantity: i32
-    /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
-    JOINT_POSITION = MIMO_JOINT_POSITION,
-    /// Joint: 1, 3 or 6. Writable.
-    JOINT_VELOCITY = MIMO_JOINT_VELOCITY,
-    /// Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
-    JOINT_FORCE = MIMO_JOINT_FORCE,
-    /// Joint: 1, 3 or 6.
-    JOINT_ACCELERATION = MIMO_JOINT_ACCELERATION,
-    /// Joint: 2, low and high; -inf and inf when not limited.
-    JOINT_RANGE = MIMO_JOINT_RANGE,
     /// Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world
     /// without joints.
     BODY_POSITION = MIMO_BODY_POSITION,
@@ -472,6 +462,26 @@ values! {
     BODY_MASS = MIMO_BODY_MASS,
     /// Body: 3, of the body alone, world, m.
     BODY_CENTER_OF_MASS = MIMO_BODY_CENTER_OF_MASS,
+    /// Body: 7, position and orientation. Writable as [`Quantity::BODY_POSITION`](crate::Quantity::BODY_POSITION).
+    BODY_POSE = MIMO_BODY_POSE,
+    /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
+    /// their way; 0 for what is no part of one.
+    BODY_NERVE_LENGTH = MIMO_BODY_NERVE_LENGTH,
+    /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
+    JOINT_POSITION = MIMO_JOINT_POSITION,
+    /// Joint: 1, 3 or 6. Writable.
+    JOINT_VELOCITY = MIMO_JOINT_VELOCITY,
+    /// Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset. Writable.
+    JOINT_FORCE = MIMO_JOINT_FORCE,
+    /// Joint: 1, 3 or 6.
+    JOINT_ACCELERATION = MIMO_JOINT_ACCELERATION,
+    /// Joint: 2, low and high; -inf and inf when not limited.
+    JOINT_RANGE = MIMO_JOINT_RANGE,
+    /// Joint: 1, for all its axes, Nms/rad or Ns/m, \>= 0. Writable, W.
+    JOINT_DAMPING = MIMO_JOINT_DAMPING,
+    /// Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
+    /// [`mimo_env_set`](crate::sys::mimo_env_set). 0 and 0 where nothing could hold it.
+    JOINT_LOCK = MIMO_JOINT_LOCK,
     /// Geom: 3, world, m.
     GEOM_POSITION = MIMO_GEOM_POSITION,
     /// Geom: 4, w x y z.
@@ -479,41 +489,41 @@ values! {
     /// Geom: 3, by shape, m, \> 0; those that its shape does not use are left alone. Writable, W, but for planes,
     /// meshes and height fields: what touches and what is seen; mass, inertia and touch sensors stay.
     GEOM_SIZE = MIMO_GEOM_SIZE,
-    /// Site: 3, world, m.
-    SITE_POSITION = MIMO_SITE_POSITION,
-    /// Site: 4, w x y z.
-    SITE_ORIENTATION = MIMO_SITE_ORIENTATION,
-    /// Camera: 3, world, m.
-    CAMERA_POSITION = MIMO_CAMERA_POSITION,
-    /// Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.
-    CAMERA_ORIENTATION = MIMO_CAMERA_ORIENTATION,
-    /// Actuator: 1, control input. Writable.
-    ACTUATOR_CONTROL = MIMO_ACTUATOR_CONTROL,
-    /// Actuator: 1, N or Nm.
-    ACTUATOR_FORCE = MIMO_ACTUATOR_FORCE,
-    /// Sensor: its dimension.
-    SENSOR_VALUE = MIMO_SENSOR_VALUE,
-    /// Actuator: 1, Nm at control 1. Writable, W.
-    ACTUATOR_GEAR = MIMO_ACTUATOR_GEAR,
-    /// Body: 7, position and orientation. Writable as [`Quantity::BODY_POSITION`](crate::Quantity::BODY_POSITION).
-    BODY_POSE = MIMO_BODY_POSE,
     /// Geom: 7, position and orientation.
     GEOM_POSE = MIMO_GEOM_POSE,
-    /// Site: 7, position and orientation.
-    SITE_POSE = MIMO_SITE_POSE,
-    /// Camera: 7, position and orientation.
-    CAMERA_POSE = MIMO_CAMERA_POSE,
     /// Geom: 3, sliding, torsional (m), rolling (m), \>= 0; two geoms meet with the larger one, or as their pair in
     /// the model says. Writable, W.
     GEOM_FRICTION = MIMO_GEOM_FRICTION,
     /// Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where there is a
     /// material. Writable, W.
     GEOM_COLOR = MIMO_GEOM_COLOR,
-    /// Joint: 1, for all its axes, Nms/rad or Ns/m, \>= 0. Writable, W.
-    JOINT_DAMPING = MIMO_JOINT_DAMPING,
-    /// Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
-    /// [`mimo_env_set`](crate::sys::mimo_env_set). 0 and 0 where nothing could hold it.
-    JOINT_LOCK = MIMO_JOINT_LOCK,
+    /// Site: 3, world, m.
+    SITE_POSITION = MIMO_SITE_POSITION,
+    /// Site: 4, w x y z.
+    SITE_ORIENTATION = MIMO_SITE_ORIENTATION,
+    /// Site: 7, position and orientation.
+    SITE_POSE = MIMO_SITE_POSE,
+    /// Site: 6, linear (m/s) of its position and angular (rad/s), world frame.
+    SITE_VELOCITY = MIMO_SITE_VELOCITY,
+    /// Camera: 3, world, m.
+    CAMERA_POSITION = MIMO_CAMERA_POSITION,
+    /// Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.
+    CAMERA_ORIENTATION = MIMO_CAMERA_ORIENTATION,
+    /// Camera: 7, position and orientation.
+    CAMERA_POSE = MIMO_CAMERA_POSE,
+    /// Actuator: 1, control input. Writable.
+    ACTUATOR_CONTROL = MIMO_ACTUATOR_CONTROL,
+    /// Actuator: 1, N or Nm.
+    ACTUATOR_FORCE = MIMO_ACTUATOR_FORCE,
+    /// Actuator: 1, Nm at control 1. Writable, W.
+    ACTUATOR_GEAR = MIMO_ACTUATOR_GEAR,
+    /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
+    /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where
+    /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`](crate::Proprioception::SPINDLE_PRIMARY) or
+    /// _SECONDARY. Writable.
+    ACTUATOR_FUSIMOTOR_DRIVE = MIMO_ACTUATOR_FUSIMOTOR_DRIVE,
+    /// Sensor: its dimension.
+    SENSOR_VALUE = MIMO_SENSOR_VALUE,
     /// Light: 3, m, in the frame of its body, mostly the world. Writable, W.
     LIGHT_POSITION = MIMO_LIGHT_POSITION,
     /// Light: 3, unit vector in that frame. Writable (any length), W.
@@ -551,13 +561,6 @@ values! {
     /// Agent: 1, id of the [`Kind::FACE`](crate::Kind::FACE) that it shows; -1 for none of them. Writable, W, for
     /// agents that have a face.
     AGENT_FACE = MIMO_AGENT_FACE,
-    /// World: 3, m/s^2, world frame. Writable, W.
-    WORLD_GRAVITY = MIMO_WORLD_GRAVITY,
-    /// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
-    /// with 0, to count anew.
-    WARNING_COUNT = MIMO_WARNING_COUNT,
-    /// Site: 6, linear (m/s) of its position and angular (rad/s), world frame.
-    SITE_VELOCITY = MIMO_SITE_VELOCITY,
     /// Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the
     /// task: docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
     AGENT_GOAL = MIMO_AGENT_GOAL,
@@ -567,14 +570,11 @@ values! {
     AGENT_AGE = MIMO_AGENT_AGE,
     /// Agent: 1, months, of strength, range of motion and tone; likewise.
     AGENT_PHYSIOLOGICAL_AGE = MIMO_AGENT_PHYSIOLOGICAL_AGE,
-    /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
-    /// their way; 0 for what is no part of one.
-    BODY_NERVE_LENGTH = MIMO_BODY_NERVE_LENGTH,
-    /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
-    /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where
-    /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`](crate::Proprioception::SPINDLE_PRIMARY) or
-    /// _SECONDARY. Writable.
-    ACTUATOR_FUSIMOTOR_DRIVE = MIMO_ACTUATOR_FUSIMOTOR_DRIVE,
+    /// World: 3, m/s^2, world frame. Writable, W.
+    WORLD_GRAVITY = MIMO_WORLD_GRAVITY,
+    /// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
+    /// with 0, to count anew.
+    WARNING_STEPS = MIMO_WARNING_STEPS,
 }
 
 values! {

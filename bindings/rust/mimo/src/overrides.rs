@@ -50,6 +50,6 @@ impl World {
     /// How many physics steps had a warning (`MIMO_WARNING_CONTACTS_DROPPED` ..., by their numbers) since the world was
     /// made. All 0: a clean run.
     pub fn warnings(&self) -> Result<Vec<u64>> {
-        Ok(self.get_all(Quantity::WARNING_COUNT)?.iter().map(|count| *count as u64).collect())
+        Ok(self.get_all(Quantity::WARNING_STEPS)?.iter().map(|count| *count as u64).collect())
     }
 }

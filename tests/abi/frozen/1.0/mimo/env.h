@@ -13,45 +13,45 @@
 extern "C" {
 #endif
 
-/** A world: physics, agents, senses, observation layout. */
+/** A world: physics, agents, senses and task. */
 typedef struct mimo_env mimo_env;
 
-#define MIMO_JACOBIAN_MODEL 0  /**< As the model says; built-in scenes say sparse. */
-#define MIMO_JACOBIAN_DENSE 1  /**< As the original solves; for comparing trajectories to the last digit. */
-#define MIMO_JACOBIAN_SPARSE 2 /**< The same solution to rounding, about twice as fast. */
+#define MIMO_JACOBIAN_MODEL 0  /**< The model's setting; built-in scenes use sparse. */
+#define MIMO_JACOBIAN_DENSE 1  /**< The original's solver, for comparing trajectories to the last digit. */
+#define MIMO_JACOBIAN_SPARSE 2 /**< The same solution up to rounding, about twice as fast. */
 
 #define MIMO_DISABLE_CONTACT 0x1u    /**< No contacts. */
 #define MIMO_DISABLE_GRAVITY 0x2u    /**< No gravity. */
-#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< mj_step as it is, instead of libmimo's solver: same to rounding, slower. */
+#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower. */
 
 #define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
-#define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror what is before them. */
+#define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror the scene. */
 #define MIMO_RENDER_SKY 0x04u         /**< The scene's sky; without it the background is black. */
 #define MIMO_RENDER_HAZE 0x08u        /**< Haze at the horizon of an endless floor. */
 #define MIMO_RENDER_FOG 0x10u         /**< Fog, as the scene's MJCF describes it. */
 
-/** How a world is simulated. */
+/** Settings of a world. */
 typedef struct mimo_env_config {
   uint32_t struct_size;    /**< sizeof(mimo_env_config), set by mimo_env_config_init. */
   uint32_t frame_skip;     /**< Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms
-                                in built-in scenes. Default 0: the scene's own, mostly 2. */
+                                in built-in scenes. 0 (default): the scene's, usually 2. */
   int32_t jacobian;        /**< A MIMO_JACOBIAN_ constant. */
   uint32_t disable;        /**< MIMO_DISABLE_ bits. */
-  const char *renderer;    /**< "ray" (our own, on the CPU), "auto" (default): ray where the scene allows, else osmesa;
-                                "osmesa", "gl" (MuJoCo's, on the CPU or a graphics card); "none": eyes must be off. */
+  const char *renderer;    /**< "ray": libmimo's, on the CPU; "osmesa", "gl": MuJoCo's, on the CPU or a graphics card;
+                                "none": no pictures, vision must be off; "auto" (default, and NULL): ray if the scene
+                                allows it, else osmesa. */
   uint32_t max_steps;      /**< Steps after which an episode is truncated; 0: the task's parameter episode_steps. */
-  uint32_t timing;         /**< 1: mimo_env_timing counts; costs a few clock reads a step. */
-  mimo_log_fn log;         /**< Messages during create, reset and step, or NULL. */
+  uint32_t timing;         /**< 1: enables mimo_env_timing; costs a few clock reads per step. */
+  mimo_log_fn log;         /**< Receives messages during create, reset and step, or NULL. */
   void *log_user;          /**< Passed to log. */
-  const char *task;        /**< See mimo_task_name; NULL: the scene's own. Every agent has the task for itself. */
-  uint32_t render;         /**< MIMO_RENDER_ bits: what pictures show; what is left out costs nothing. Default: all but
-                                fog. */
-  uint32_t samples;        /**< Samples a pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may give fewer); 0: one ray, or
-                                what the model tells OpenGL. */
-  uint32_t render_threads; /**< Threads that draw one picture with the ray renderer, 1 to 64, the caller's among them.
-                                Pictures do not differ. Default 1, which is best in batches. */
-  uint32_t step_contacts;  /**< 1: what touched what during a step is recorded (MIMO_STEP_CONTACT). Default 0, which
-                                costs nothing. */
+  const char *task;        /**< See mimo_task_name; NULL: the scene's. Every agent performs the task separately. */
+  uint32_t render;         /**< MIMO_RENDER_ bits: effects that pictures show; the others cost nothing. Default: all
+                                except fog. */
+  uint32_t samples;        /**< Samples per pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may use fewer); 0: one ray,
+                                or the model's setting for OpenGL. */
+  uint32_t render_threads; /**< Threads of the ray renderer for one picture, 1 to 64, including the caller's. They do
+                                not change pictures. Default 1, the best choice in batches. */
+  uint32_t step_contacts;  /**< 1: records the contacts of each step (MIMO_STEP_CONTACT). Default 0, at no cost. */
 } mimo_env_config;
 
 /**
@@ -61,35 +61,37 @@ typedef struct mimo_env_config {
 MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Compiles a scene and makes a world of it, in its initial state. No task has prepared an episode then: reset it first.
- * Note: MuJoCo's XML loader calls srand(123), the one piece of process state that is touched.
- * @param scene  is not needed any more afterwards.
+ * Compiles a scene and makes a world in its initial state. Reset it before the first step: only a reset lets the task
+ * prepare an episode.
+ * Note: MuJoCo's XML loader calls srand(123), the only process state that changes.
+ * @param scene  is not needed afterwards.
  * @param config NULL means defaults.
- * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_UNSUPPORTED when eyes are on
- *         and no renderer works here, when the program's C++ locale has a decimal comma, or when a MuJoCo of another
- *         version lies in the program's global scope.
+ * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for a task
+ *         other than "none" in a scene without agents (a built-in scene with neither logs a message);
+ *         MIMO_E_UNSUPPORTED if vision is on and no renderer works on this machine, if the program's C++ locale has a
+ *         decimal comma, or if another version of MuJoCo is in the program's global scope.
  */
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;
 
-/** The usual case in one call: a built-in scene by name with its own infants (mimo_scene_add_agents) and task. */
+/** Makes a world of a built-in scene with its infants (mimo_scene_add_agents) and task, in one call. */
 MIMO_API mimo_status mimo_env_make(const char *scene_name, mimo_env **env) MIMO_NOEXCEPT;
 
 /** Destroys a world. NULL and destroyed handles are ignored. */
 MIMO_API void mimo_env_destroy(mimo_env *env) MIMO_NOEXCEPT;
 
-/** What is to be known of one agent of a world. */
+/** Describes one agent of a world. */
 typedef struct mimo_agent_info {
   uint32_t struct_size;   /**< sizeof(mimo_agent_info), set by the caller. */
-  uint32_t action_offset; /**< Where its actions start in the action array. */
-  uint32_t action_count;  /**< How many they are. */
+  uint32_t action_offset; /**< Index of its first action in the action array. */
+  uint32_t action_count;  /**< Number of its actions. */
   uint32_t reserved;      /**< 0. */
   const char *name;       /**< Owned by the environment. */
-  double mass;            /**< Of its whole body in its model, kg; MIMO_BODY_MASS may say otherwise since. */
+  double mass;            /**< Mass of its body in the model, kg; setting MIMO_BODY_MASS does not change it. */
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
 
-/** What a world observes, acts with and is rewarded for. */
+/** Layout of the world's observations, actions and rewards. */
 MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **layout) MIMO_NOEXCEPT;
 
 /** Name of the task. The string is owned by the environment. */
@@ -101,107 +103,114 @@ MIMO_API mimo_status mimo_env_frame_skip(const mimo_env *env, uint32_t *frame_sk
 /** Describes the index-th agent. Set info->struct_size first. */
 MIMO_API mimo_status mimo_env_agent(const mimo_env *env, size_t index, mimo_agent_info *info) MIMO_NOEXCEPT;
 
-/** How an episode starts. Who sets nothing but struct_size gets what NULL gives. */
+/** How an episode starts. A struct that is zero except for struct_size has the same effect as NULL. */
 typedef struct mimo_reset_config {
   uint32_t struct_size; /**< sizeof(mimo_reset_config), set by the caller. */
-  uint32_t seeded;      /**< 1: the random numbers start anew from seed; 0: they go on. */
-  uint64_t seed;        /**< Any number; 0 where seeded is 0. */
-  /** What infants become: one growth for all of them, or one for each agent, of which NULL stay as they are. */
+  uint32_t seeded;      /**< 1: the random numbers restart from seed; 0: they continue. */
+  uint64_t seed;        /**< Any number; 0 if seeded is 0. */
+  /** The infants' new age and size: one growth for all, or one per agent, where NULL keeps that agent's. */
   const mimo_growth *const *growth;
-  size_t growth_count; /**< 0: all stay as they are; 1: all infants; else as many as there are agents. */
+  size_t growth_count; /**< 0: no change; 1: for all infants; else the number of agents. */
 } mimo_reset_config;
 
 /**
- * Starts an episode: from the scene's stored state, as its task wants it.
+ * Starts an episode from the scene's stored state, prepared by the task. The random numbers of a world that was never
+ * seeded start as with seed 0.
  *
- * With a growth that its infants do not have yet the world has another model afterwards. Its handle stays and so does
- * its layout: names, shapes and offsets as before, bounds and receptors those of the new bodies. Ids stay; names, but
- * for the layout's, are to be asked for again. Random numbers go on; gravity, faces, timing, counts of warnings stay.
- * All else that was set and outlives resets is as in a new world, for it belonged to another body. A world, its clones
- * and a batch compile each age once: they keep the last 8, and those in use.
- * @param config NULL: the world's random numbers go on.
- * @param block  receives the observation, as mimo_env_observe gives it; may be NULL with block_bytes 0.
- * Errors: with a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT where it would change the shape of the
- *         observation (keep_spacing); what the task says. With another age nothing has changed then.
+ * A growth that differs from the infants' gives the world another model. Its handle and layout stay: names, shapes and
+ * offsets are unchanged, bounds and receptors are updated. Ids remain valid; strings other than the layout's do not:
+ * ask for them again. Random numbers continue; gravity, faces, timing and counts of warnings stay. Other values that
+ * survive resets are as in a new world, because they belonged to the previous body. A world, its clones and a batch
+ * compile each age once; they keep the last 8 and all that are in use.
+ * @param config NULL: the random numbers continue.
+ * @param block  receives the observation, as from mimo_env_observe; may be NULL with block_bytes 0.
+ * Errors: for a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT if it changes the shape of the observation
+ *         (keep_spacing); MIMO_E_TASK if a custom task fails: with another age nothing has changed, otherwise the world
+ *         is at the scene's stored state as far as the task has prepared it.
  */
 MIMO_API mimo_status mimo_env_reset(mimo_env *env, const mimo_reset_config *config, void *block,
                                     size_t block_bytes) MIMO_NOEXCEPT;
 
 #define MIMO_OUTCOME_NONE 0     /**< Neither. */
-#define MIMO_OUTCOME_SUCCESS 1  /**< The agent has done what its task wants. */
-#define MIMO_OUTCOME_FAILURE -1 /**< It has failed. */
+#define MIMO_OUTCOME_SUCCESS 1  /**< The agent reached its task's goal. */
+#define MIMO_OUTCOME_FAILURE -1 /**< It failed. */
 
-/** Where the results of a step go, beside the observation. All are optional: NULL is not written. */
+/** Buffers for the results of a step besides the observation. Each may be NULL. */
 typedef struct mimo_env_results {
   uint32_t struct_size; /**< sizeof(mimo_env_results), set by the caller. */
   uint32_t reserved;    /**< 0. */
   double *reward;       /**< One per agent. */
-  uint8_t *terminated;  /**< One per agent, 1 when its episode has ended by success or failure. */
-  uint8_t *truncated;   /**< One per agent, 1 when its episode is cut off: by its step limit, or by its task. */
-  int32_t *outcome;     /**< One per agent, a MIMO_OUTCOME_ constant, also where that does not end the episode. */
-  size_t agent_count;   /**< Length of the four arrays above, as mimo_layout_info says. */
-  double *terms;        /**< The terms that rewards are the sums of, of all agents, as mimo_layout_term names them. */
-  size_t term_count;    /**< Length of terms, as mimo_layout_info says. */
+  uint8_t *terminated;  /**< One per agent: 1 if its episode ended by success or failure. */
+  uint8_t *truncated;   /**< One per agent: 1 if its step limit or its task cuts the episode off. */
+  int32_t *outcome;     /**< One per agent: a MIMO_OUTCOME_ constant, also if it does not end the episode. */
+  size_t agent_count;   /**< Length of the four arrays above: agents of mimo_layout_info. */
+  double *terms;        /**< The terms of all agents' rewards (each reward is their sum), see mimo_layout_term. */
+  size_t term_count;    /**< Length of terms: terms of mimo_layout_info. */
 } mimo_env_results;
 
 /**
- * Goes one step on: sets the motors, runs frame_skip physics steps, senses, rewards.
- * @param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the
- *                controls as they are (0 after a reset, or as set by mimo_env_set).
+ * Simulates one step: sets the motors, runs frame_skip physics steps, senses, computes rewards. After the end of an
+ * episode the world simply continues: truncated stays 1 until a reset, terminated follows the task in each step.
+ * @param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the controls unchanged
+ *                (0 after a reset, or as set by mimo_env_set).
  * @param block   receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
- * @param results NULL: not wanted.
- * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds (nothing happens then);
- *         MIMO_E_SIMULATION when the physics fails or diverges: block and results are then unspecified. Until the
- *         world is reset or loads a state, it can be looked at (names, values, sizes), and what outlives resets can be
- *         written; whatever would simulate, sense, draw, write the rest, save or clone answers MIMO_E_SIMULATION.
- *         MIMO_E_TASK, or the status that it returned, when a task of your own fails: the step has happened then, block
- *         is written and results are not.
+ * @param results may be NULL.
+ * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds: nothing happens.
+ *         MIMO_E_SIMULATION if the physics fails or diverges: block and results are unspecified. The world can then be
+ *         read (names, values, sizes), and values that survive resets can be written; every function that simulates,
+ *         senses, draws, writes other values, saves or clones returns MIMO_E_SIMULATION until the world is reset or
+ *         loads a state.
+ *         MIMO_E_TASK if a custom task fails, whatever it returned: the step has happened, block is written and results
+ *         are not. MIMO_E_BUSY from within a task of this world: nothing happens.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;
 
-/** Where joints go in a step. */
+/** The joint positions of one step of a known movement. */
 typedef struct mimo_movement {
   uint32_t struct_size;    /**< sizeof(mimo_movement), set by the caller. */
   uint32_t reserved;       /**< 0. */
-  const double *positions; /**< frame_skip x the positions of all joints, as MIMO_JOINT_POSITION has them one after the
-                                other: at the end of each physics step. Quaternions are normalised. */
+  const double *positions; /**< frame_skip x the positions of all joints, in the order of MIMO_JOINT_POSITION, at the
+                                end of each physics step. Quaternions are normalised. */
   size_t position_count;   /**< Length of positions. */
-  double *forces;          /**< Receives frame_skip x one for each degree of freedom: N, or Nm; or NULL. */
+  double *forces;          /**< Receives frame_skip x one force per degree of freedom, N or Nm; or NULL. */
   size_t force_count;      /**< Length of forces. */
 } mimo_movement;
 
 /**
- * One step of a movement that is known, from video or motion capture: joints go where they are told, whatever stands in
- * their way, and all senses answer as if they had gone there by themselves. Velocities and accelerations follow from
- * positions as in a step of physics: velocity at the end is the difference over a physics step, so whoever starts a
- * movement sets MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY first. Contacts give way, and are felt, as they would with
- * these accelerations. Motors pull as their controls are, which changes nothing; no task
- * judges, no reflex acts, and no late action arrives.
+ * Simulates one step of a known movement, from video or motion capture: joints take the given positions, whatever is in
+ * their way, and all senses respond as if they had moved there. Velocities and accelerations follow from the positions
+ * as in a step of physics: the velocity at the end is the difference over a physics step. So set MIMO_JOINT_POSITION
+ * and MIMO_JOINT_VELOCITY before the first step of a movement. Contacts yield and are felt according to these
+ * accelerations. Motors keep their controls, without effect on the movement; no task is evaluated, no reflex acts, and
+ * no delayed action arrives.
  *
- * The forces are those of inverse dynamics: what has to act beside gravity, contacts, limits, locks, springs and
- * dampers of the joints, at the start of each physics step. Of an infant lying there these are its muscles; those of
- * the first six degrees of freedom, its free joint, are what is missing from its contacts.
+ * The forces are the result of inverse dynamics at the start of each physics step: the forces needed in addition to
+ * gravity, contacts, and the joints' limits, locks, springs and dampers. For a lying infant they are its muscles'
+ * forces; on the first six degrees of freedom, its free joint, they are the residual that contacts do not explain.
  * @param block receives the observation; NULL with block_bytes 0 skips the senses.
- * Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0 (nothing happens then);
- *         MIMO_E_UNSUPPORTED for models with another integrator than Euler; MIMO_E_SIMULATION as mimo_env_step.
+ * Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0: nothing happens;
+ *         MIMO_E_UNSUPPORTED for models with an integrator other than Euler; MIMO_E_SIMULATION as mimo_env_step, also
+ *         if positions or the resulting velocities or accelerations exceed 1e10: the block is not written.
  */
 MIMO_API mimo_status mimo_env_follow(mimo_env *env, const mimo_movement *movement, void *block,
                                      size_t block_bytes) MIMO_NOEXCEPT;
 
 /**
- * The observation of the current state, without changing the trajectory. All its fields belong to the current
- * state, so after a step it differs from the step's block in the fields whose time ends before 0. Until the next
- * step mimo_env_get gives values of the current state, too.
+ * Observes the current state without changing the trajectory. All fields belong to the current state, so after a step
+ * it differs from the step's block in the fields whose time ends before 0. Until the next step mimo_env_get also
+ * returns values of the current state.
+ * Errors: MIMO_E_SIMULATION for a world that has failed, or fails now because positions, velocities or accelerations
+ *         are infinite or exceed 1e10; the block is not written.
  */
 MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_bytes) MIMO_NOEXCEPT;
 
 /**
- * Bare physics: count physics steps with the controls as they are, without senses and task. Muscles pull on and adapt
- * their activation; no action is on its way. What MuJoCo alone costs; also for hosts that bring senses and control of
- * their own.
+ * Runs physics steps with unchanged controls, without senses and task. Muscles keep pulling and adapting their
+ * activation; delayed actions do not arrive. For measuring the cost of MuJoCo alone, and for hosts with their own
+ * senses and control.
  * @param count 0 to 1000000.
- * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_INVALID_ARGUMENT from within a task of this world.
+ * Errors: MIMO_E_SIMULATION as mimo_env_step; MIMO_E_BUSY from within a task of this world.
  */
 MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
 
@@ -211,26 +220,26 @@ MIMO_API mimo_status mimo_env_time(const mimo_env *env, double *seconds) MIMO_NO
 /** Length of one physics step, seconds. */
 MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
 
-/* Timing: where a step's time goes. */
+/* Timing of the parts of a step. */
 
-/** Seconds spent in the parts of steps since the last call of mimo_env_timing_reset. */
+/** Seconds spent in the parts of steps since the last mimo_env_timing_reset. */
 typedef struct mimo_timing {
   uint32_t struct_size;  /**< sizeof(mimo_timing), set by the caller. */
   uint32_t reserved;     /**< 0. */
-  uint64_t steps;        /**< Environment steps counted. */
-  double total;          /**< Everything. */
-  double physics;        /**< MuJoCo's steps. */
+  uint64_t steps;        /**< Number of environment steps. */
+  double total;          /**< The whole steps. */
+  double physics;        /**< Physics steps. */
   double touch;          /**< Sense of touch. */
   double vision;         /**< Drawing the eyes' pictures. */
   double proprioception; /**< Joint senses. */
   double vestibular;     /**< Accelerometer and gyroscope. */
-  double hearing;        /**< What sounds, and what reaches ears. */
+  double hearing;        /**< Sounds, and their paths to the ears. */
 } mimo_timing;
 
-/** Reads the timing; all zero unless the environment was made with timing = 1. Set timing->struct_size first. */
+/** Reads the timing; all 0 unless the environment was made with timing = 1. Set timing->struct_size first. */
 MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) MIMO_NOEXCEPT;
 
-/** Starts counting anew. */
+/** Resets the timing to 0. */
 MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus

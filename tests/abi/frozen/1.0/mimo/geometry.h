@@ -1,9 +1,9 @@
 /**
  * @file mimo/geometry.h
- * For engines that draw the world themselves: shapes as triangles, how they look, textures, lights, and where all is.
+ * For engines that draw the world themselves: shapes as triangles, appearances, textures, lights and poses.
  *
- * Shapes are asked for once, and again after what they follow from was changed (MIMO_GEOM_SIZE, MIMO_GEOM_COLOR,
- * MIMO_AGENT_FACE, a reset to another age); poses after each step.
+ * Read shapes once, and again after a change of MIMO_GEOM_SIZE, MIMO_GEOM_COLOR or MIMO_AGENT_FACE, and after a reset
+ * to another age; read poses after each step.
  */
 #ifndef MIMO_GEOMETRY_H
 #define MIMO_GEOMETRY_H
@@ -15,52 +15,52 @@ extern "C" {
 #endif
 
 /*
- * Frames. The infant looks along x, y is to its left, z is up. In the frames of engines it looks where they say that
- * forward is. Lengths are metres, but for Unreal's centimetres.
+ * Frames. In libmimo's frame the infant looks along x, y is to its left, z is up. In an engine's frame it looks along
+ * the engine's forward axis. Lengths are metres, except in Unreal: centimetres.
  */
-#define MIMO_AXES_MIMO 0   /**< This library's, MuJoCo's and ROS's: x forward, y left, z up. Quaternions w x y z. */
-#define MIMO_AXES_UNITY 1  /**< Left-handed: x right, y up, z forward. Quaternions x y z w, as in all that follow. */
+#define MIMO_AXES_MIMO 0   /**< libmimo, MuJoCo, ROS: x forward, y left, z up. Quaternions w x y z. */
+#define MIMO_AXES_UNITY 1  /**< Left-handed: x right, y up, z forward. Quaternions x y z w, as in all below. */
 #define MIMO_AXES_UNREAL 2 /**< Left-handed: x forward, y right, z up; cm. */
 #define MIMO_AXES_GODOT 3  /**< Right-handed: x right, y up, z backward. */
 #define MIMO_AXES_GLTF 4   /**< Right-handed: x left, y up, z forward: glTF, three.js. */
 
 /**
  * Converts points in place: positions, or the places of touch sensors.
- * @param points three numbers each, in our frame.
+ * @param points three numbers each, in libmimo's frame.
  */
 MIMO_API mimo_status mimo_convert_points(int32_t axes, float *points, size_t point_count) MIMO_NOEXCEPT;
 
-/** Converts directions in place: normals, forces, velocities; their lengths stay. */
+/** Converts directions in place: normals, forces, velocities; their lengths do not change. */
 MIMO_API mimo_status mimo_convert_directions(int32_t axes, float *directions, size_t direction_count) MIMO_NOEXCEPT;
 
 /**
- * Poses of now of all elements of a kind, one after the other: position, and a quaternion in the order of the frame.
+ * Current poses of all elements of a kind, one after the other: position, and a quaternion in the order of the frame.
  * @param kind        MIMO_BODY, MIMO_GEOM, MIMO_SITE or MIMO_CAMERA.
  * @param axes        a MIMO_AXES_ constant.
  * @param value_count length of poses: seven times mimo_env_count.
- * A camera looks along its own -z in our frame, so along what that becomes in another one.
+ * A camera looks along its own -z axis in libmimo's frame, and along the converted axis in another one.
  */
-MIMO_API mimo_status mimo_env_poses(const mimo_env *env, int32_t kind, int32_t axes, float *poses,
+MIMO_API mimo_status mimo_env_poses(const mimo_env *env, mimo_kind kind, int32_t axes, float *poses,
                                     size_t value_count) MIMO_NOEXCEPT;
 
 /**
- * A geom as triangles, in the geom's own frame: they move with its pose. Asked for twice: with NULL for the arrays, to
- * learn how many vertices and indices there are, and again with arrays of that size.
+ * A geom as triangles, in the geom's own frame: they move with its pose. Call mimo_env_mesh twice: with NULL for the
+ * arrays, to learn the numbers of vertices and indices, and again with arrays of that size.
  */
 typedef struct mimo_mesh {
   uint32_t struct_size;   /**< sizeof(mimo_mesh), set by mimo_mesh_init. */
-  int32_t axes;           /**< In: a MIMO_AXES_ constant. The order of a triangle's corners is the one that the
-                               engine takes for an outside: counter-clockwise, clockwise in Unity and Godot. */
-  uint32_t segments;      /**< In: level of detail: pieces of a circle, a multiple of 4, 4 to 256. Default 24. */
+  int32_t axes;           /**< In: a MIMO_AXES_ constant. It also sets the order of a triangle's corners, seen from
+                               outside: counter-clockwise, in Unity and Godot clockwise. */
+  uint32_t segments;      /**< In: level of detail: segments of a circle, a multiple of 4, 4 to 256. Default 24. */
   uint32_t reserved;      /**< 0. */
-  double plane;           /**< In: half the size of planes without an end, m, > 0. Default 20. */
+  double plane;           /**< In: half the size of infinite planes, m, > 0. Default 20. */
   float *positions;       /**< In: three for each vertex, or NULL. */
   float *normals;         /**< In: three for each vertex, length 1, or NULL. */
-  float *texcoords;       /**< In: two for each vertex, or NULL. (0, 0) is where the texture's first row begins;
-                               flat textures go on beyond 0 and 1. Zeros where the geom has no texture. */
+  float *texcoords;       /**< In: two for each vertex, or NULL. (0, 0) is the start of the texture's first row; flat
+                               textures repeat beyond 0 and 1. Zeros if the geom has no texture. */
   uint32_t *indices;      /**< In: three for each triangle, or NULL. */
-  size_t vertex_capacity; /**< In: for how many vertices the arrays have room. */
-  size_t index_capacity;  /**< In: how many indices there is room for. */
+  size_t vertex_capacity; /**< In: number of vertices that fit into the arrays. */
+  size_t index_capacity;  /**< In: number of indices that fit. */
   size_t vertex_count;    /**< Out. */
   size_t index_count;     /**< Out. */
 } mimo_mesh;
@@ -69,33 +69,33 @@ typedef struct mimo_mesh {
 MIMO_API mimo_status mimo_mesh_init(mimo_mesh *mesh, size_t size) MIMO_NOEXCEPT;
 
 /**
- * A geom as triangles. Meshes and height fields of the model come as they are, whatever segments says. Skins, tendons
- * and sites, which MuJoCo draws as well, are not to be had.
- * Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message says what is needed.
+ * A geom as triangles. Meshes and height fields of the model are copied as they are, independent of segments. Skins,
+ * tendons and sites, which MuJoCo also draws, are not available.
+ * Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message gives the required sizes.
  */
 MIMO_API mimo_status mimo_env_mesh(const mimo_env *env, int32_t geom, mimo_mesh *mesh) MIMO_NOEXCEPT;
 
-/** How a geom looks, and whether it is to be seen at all. What it is made of is mimo_scene_set_material's. */
+/** The appearance of a geom. For its physical material see mimo_scene_set_material. */
 typedef struct mimo_appearance {
   uint32_t struct_size; /**< sizeof(mimo_appearance), set by the caller. */
-  uint32_t visible;     /**< 1: MuJoCo would draw it: of its groups 0 to 2, and not fully transparent. */
-  int32_t group;        /**< MuJoCo's number of its group. */
-  int32_t texture;      /**< Id of its texture, -1 for none: a face's, while the agent shows it. */
-  float color[4];       /**< Red, green, blue, opacity, 0 to 1; times the texture's. */
-  float emission;       /**< How much of its colour it shines by itself, 0 to 1. */
+  uint32_t visible;     /**< 1: MuJoCo would draw it: its group is 0 to 2, and it is not fully transparent. */
+  int32_t group;        /**< Its group in MuJoCo. */
+  int32_t texture;      /**< Id of its texture, -1 for none; for a face the one that the agent shows. */
+  float color[4];       /**< Red, green, blue, opacity, 0 to 1; multiplied with the texture. */
+  float emission;       /**< Share of its colour that it emits, 0 to 1. */
   float specular;       /**< Strength of highlights, 0 to 1. */
   float shininess;      /**< Their sharpness, 0 to 1: Phong's exponent is 128 times this. */
-  float reflectance;    /**< Share of what it mirrors, 0 to 1; planes and boxes only. */
+  float reflectance;    /**< Share of light that it mirrors, 0 to 1; planes and boxes only. */
 } mimo_appearance;
 
-/** How a geom looks in this world now. Set appearance->struct_size first. */
+/** Current appearance of a geom. Set appearance->struct_size first. */
 MIMO_API mimo_status mimo_env_appearance(const mimo_env *env, int32_t geom, mimo_appearance *appearance) MIMO_NOEXCEPT;
 
 #define MIMO_TEXTURE_FLAT 0 /**< One picture, repeated beyond its edges. */
-#define MIMO_TEXTURE_CUBE 1 /**< Six square pictures, one above the other; texcoords of meshes already lie in them. */
-#define MIMO_TEXTURE_SKY 2  /**< A cube around everything: right, left, up, down, front, back of one who looks at it. */
+#define MIMO_TEXTURE_CUBE 1 /**< Six square pictures, one above the other; texcoords of meshes refer to them. */
+#define MIMO_TEXTURE_SKY 2  /**< A cube around the scene: right, left, up, down, front, back from inside. */
 
-/** A texture as pixels. Asked for twice, like a mesh. */
+/** A texture as pixels. Call mimo_env_texture twice, as for a mesh. */
 typedef struct mimo_texture {
   uint32_t struct_size; /**< sizeof(mimo_texture), set by the caller. */
   int32_t type;         /**< Out: a MIMO_TEXTURE_ constant. */
@@ -105,7 +105,7 @@ typedef struct mimo_texture {
   size_t pixel_bytes;   /**< In: length of pixels: 4 width height. */
 } mimo_texture;
 
-/** How many textures the world has; ids are 0 to count - 1. */
+/** Number of textures; ids are 0 to count - 1. */
 MIMO_API mimo_status mimo_env_texture_count(const mimo_env *env, size_t *count) MIMO_NOEXCEPT;
 
 /** A texture. Set texture->struct_size, pixels and pixel_bytes first. */
@@ -113,21 +113,21 @@ MIMO_API mimo_status mimo_env_texture(const mimo_env *env, int32_t texture_id, m
 
 #define MIMO_HEADLIGHT -1 /**< The light that every camera carries. */
 
-/** A light of now. */
+/** The current state of a light. */
 typedef struct mimo_light {
   uint32_t struct_size;  /**< sizeof(mimo_light), set by the caller. */
   int32_t axes;          /**< In: a MIMO_AXES_ constant. */
-  uint32_t active;       /**< 1: it shines. */
-  uint32_t directional;  /**< 1: parallel, like the sun's, from direction; 0: from position, within a cone. */
+  uint32_t active;       /**< 1: it is on. */
+  uint32_t directional;  /**< 1: parallel light along direction, as from the sun; 0: a cone from position. */
   uint32_t casts_shadow; /**< 1: it casts shadows. */
-  float cutoff;          /**< Half angle of the cone, degrees; 180: to all sides. */
-  float exponent;        /**< How much it is stronger in the middle of the cone; 0: even. */
-  float position[3];     /**< Of now; zero for the headlight, which is where its camera is. */
-  float direction[3];    /**< Where it shines, unit vector. */
-  float ambient[3];      /**< Red, green, blue that reach everything. */
-  float diffuse[3];      /**< Red, green, blue that make surfaces bright that are turned to it. */
+  float cutoff;          /**< Half angle of the cone, degrees; 180: all directions. */
+  float exponent;        /**< Concentration towards the middle of the cone; 0: even. */
+  float position[3];     /**< Current position; zero for the headlight, which is at its camera. */
+  float direction[3];    /**< Direction of its light, unit vector. */
+  float ambient[3];      /**< Red, green, blue of its ambient part. */
+  float diffuse[3];      /**< Red, green, blue of its diffuse part. */
   float specular[3];     /**< Red, green, blue of highlights. */
-  float attenuation[3];  /**< At a distance d in metres it has 1 / (a0 + a1 d + a2 d^2) of its strength. */
+  float attenuation[3];  /**< Its strength at a distance d in metres is divided by a0 + a1 d + a2 d^2. */
   uint32_t reserved;     /**< 0. */
 } mimo_light;
 

@@ -1,6 +1,6 @@
 /**
  * @file mimo/log.h
- * Logging. The library never writes to stdout, stderr or files by itself.
+ * Logging. The library never writes to stdout or stderr; it writes only the files that a call names.
  */
 #ifndef MIMO_LOG_H
 #define MIMO_LOG_H
@@ -11,33 +11,34 @@
 extern "C" {
 #endif
 
-#define MIMO_LOG_WARNING 1 /**< Something is not as the user probably meant it. */
-#define MIMO_LOG_INFO 2    /**< Worth knowing, once. */
+#define MIMO_LOG_WARNING 1 /**< Something is probably not as the user intended. */
+#define MIMO_LOG_INFO 2    /**< Useful to know, told once. */
 
-/* What physics warns of; also the ids of MIMO_WARNING_COUNT. */
+/* Warnings of the physics; also the ids of MIMO_WARNING_STEPS. */
 #define MIMO_WARNING_CONTACTS_DROPPED 1    /**< More contacts than the model's nconmax: some are missing. */
 #define MIMO_WARNING_CONSTRAINTS_DROPPED 2 /**< More constraints than the model's njmax: some are missing. */
-#define MIMO_WARNING_BAD_POSITION 3        /**< A position that is no number, or huge: the world has failed. */
-#define MIMO_WARNING_BAD_VELOCITY 4        /**< The same of a velocity. */
-#define MIMO_WARNING_BAD_ACCELERATION 5    /**< The same of an acceleration. */
-#define MIMO_WARNING_BAD_CONTROL 6         /**< A control that is no number, or huge: the step took all as 0. */
+#define MIMO_WARNING_BAD_POSITION 3        /**< A position is not a number, or huge: the world has failed. */
+#define MIMO_WARNING_BAD_VELOCITY 4        /**< The same for a velocity. */
+#define MIMO_WARNING_BAD_ACCELERATION 5    /**< The same for an acceleration. */
+#define MIMO_WARNING_BAD_CONTROL 6         /**< A control is not a number, or huge: the step used 0 for all controls. */
 #define MIMO_WARNING_INERTIA 7             /**< The inertia matrix is nearly singular. */
-#define MIMO_WARNING_NOT_CONVERGED 8       /**< The solver stopped at its last iteration; counted, not told. */
+#define MIMO_WARNING_NOT_CONVERGED 8       /**< The solver stopped at its last iteration; counted, not logged. */
 
-/** A message. It lasts until the function that receives it returns. */
+/** A message, valid until the function that receives it returns. */
 typedef struct mimo_log_record {
-  uint32_t struct_size; /**< Of the library's struct: what lies beyond it is not there. */
+  uint32_t struct_size; /**< Of the library's struct. 256 bytes are there, zero beyond it. */
   int32_t level;        /**< MIMO_LOG_WARNING or MIMO_LOG_INFO. */
-  int32_t code;         /**< What it is about: a MIMO_WARNING_ constant where physics warns, else 0. */
-  uint32_t in_world;    /**< 1: a world's physics warns; 0: a scene, a model or a renderer has something to say. */
+  int32_t code;         /**< A MIMO_WARNING_ constant for a warning of the physics, else 0. */
+  uint32_t in_world;    /**< 1: a world's physics warns; 0: the message comes from a scene, a model or a renderer. */
   const char *text;     /**< One line, UTF-8. */
   size_t world;         /**< Number of the world in its batch; 0 for a single one. */
   double time;          /**< Simulated seconds since the world's reset; 0 where in_world is 0. */
 } mimo_log_record;
 
 /**
- * Receives messages; NULL in a config means silence. Called on the thread that called the library, before
- * that call returns. Must not call back into the library with the same handle, nor throw or longjmp.
+ * Receives messages; NULL in a config turns them off. The library calls it on the thread of the caller, before the
+ * call returns. Meanwhile the handle of that call can only be read (everything else returns MIMO_E_BUSY); any other
+ * handle may be used. It must not throw or longjmp.
  */
 typedef void (*mimo_log_fn)(void *user, const mimo_log_record *record);
 

@@ -2,55 +2,57 @@
  * @file mimo/mimo.h
  * libmimo: MIMo, the multimodal infant model, as a C library.  MIT licence, see LICENSE.
  *
- * One chapter after the other, in the order of use; each may also be included by itself:
+ * The chapters, in the order of use. Each header may also be included alone:
  *
  *     status.h       versions, results of calls, what went wrong
  *     log.h          messages
  *     scene.h        rooms, objects, models, cameras, as a description
- *     growth.h       how old infants are
- *     agent.h        infants: where they are, what they sense, what of them acts
- *     maturity.h     how well their eyes see, and how fast their nerves are
- *     things.h       how warm things are, and what they are made of
- *     observation.h  what a block of observations, an array of actions and a reward consist of
+ *     growth.h       the age, size and strength of infants
+ *     agent.h        infants: their position, their senses, the joints they control
+ *     maturity.h     the acuity of their eyes and the speed of their nerves
+ *     things.h       the temperature and the material of things
+ *     observation.h  the layout of observation blocks, actions and rewards
  *     env.h          a world: making it, steps, rewards, timing
- *     access.h       joints, bodies, contacts by name; what differs from world to world
- *     geometry.h     shapes, looks, lights: for engines that draw the world themselves
- *     sight.h        where infants look; pictures for people
+ *     access.h       joints, bodies and contacts by name; values that differ between worlds
+ *     geometry.h     shapes, materials and lights for engines that draw the world themselves
+ *     sight.h        the gaze of infants; pictures of the world
  *     state.h        save, load, clone
- *     recording.h    runs in files: written while they happen, played again
+ *     recording.h    runs recorded to files and replayed
  *     batch.h        many worlds on several threads
- *     task.h         tasks, their parameters, and tasks of your own
- *     senses.h       senses on your own simulation
- *     hearing.h      sounds of your own
+ *     task.h         built-in tasks, their parameters, and custom tasks
+ *     senses.h       senses attached to your own simulation
+ *     hearing.h      sounds that your program plays
  *
- * Rules that hold everywhere (docs/ has an article on each):
+ * Rules that apply everywhere (docs/ has an article on each):
  *
  *     Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
  *               mimo_last_error() then holds one line that names the argument, its value and what was
  *               expected. When an argument is refused, nothing is written anywhere.
  *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder, mimo_recording are opaque, and so is
- *               mimo_layout, which belongs to one of them. Destroy accepts NULL; a destroyed handle is refused by
- *               every function (MIMO_E_BAD_HANDLE), destroying it again does nothing. A handle made before fork()
- *               answers MIMO_E_FORKED in the child.
- *     Threads   Functions that take a const handle may run at the same time on one handle; functions that
- *               take a handle without const need it for themselves; different handles are independent.
- *               Any thread may call. A thread that is cancelled (pthread_cancel) within a call finishes the call first.
+ *               mimo_layout, which belongs to one of them. Destroy functions accept NULL. Every function refuses a
+ *               destroyed handle (MIMO_E_BAD_HANDLE); destroying it again does nothing. In a child process, a
+ *               handle made before fork() returns MIMO_E_FORKED.
+ *     Threads   Several threads may call functions that take a const handle on one handle at the same time. A
+ *               function that takes a handle without const needs exclusive use of it and returns MIMO_E_BUSY
+ *               while another thread uses it. Different handles are independent. Any thread may call. A thread
+ *               that is cancelled (pthread_cancel) within a call finishes the call first.
  *     Memory    Buffers belong to the caller and come with their length in elements (observation blocks:
- *               in bytes), but for points, poses and the like, of which it is said how many numbers they are.
- *               One that is too short is refused and stays as it was (MIMO_E_BUFFER_TOO_SMALL); a
- *               length that no memory has, such as a negative number turned into size_t, is
- *               MIMO_E_INVALID_ARGUMENT. Strings passed in are UTF-8 and copied; who owns a string passed out
- *               is said where it is declared.
+ *               in bytes), except points and poses, whose length is given in each function's description. A buffer
+ *               that is too short is refused and left unchanged (MIMO_E_BUFFER_TOO_SMALL). A length that no
+ *               memory can have, such as a negative number converted to size_t, is MIMO_E_INVALID_ARGUMENT.
+ *               Strings passed in are UTF-8 and copied. The owner of a returned string is documented with the
+ *               function that returns it.
  *     Structs   Versioned structs start with struct_size and are filled by their _init function, called as
- *               mimo_X_init(&x, sizeof x); where there is none, set struct_size to their sizeof and the rest to
- *               0. They only ever grow at the end. What a caller of an older version does not have counts as
- *               0, and in what came after 1.0 that means what 1.0 did. Reserved fields are 0. Descriptions that the
- *               library fills in say in struct_size how much of them it knows; those that it reads as well (mimo_mesh,
- *               mimo_texture, mimo_light) keep theirs.
- *     Newer     A bit, constant or quantity that the library does not know is MIMO_E_UNSUPPORTED, and the message says
- *               its version; see mimo_api_version and mimo_supports.
- *     Units     SI units and radians where nothing else is said; degrees for what cameras see and for cones of light,
- *               months for ages, degrees Celsius for warmth.
+ *               mimo_X_init(&x, sizeof x). A struct without an _init function is zeroed and given its sizeof in
+ *               struct_size. Structs only grow at their end. Members missing from an older caller's struct are
+ *               read as 0; for members added after 1.0, 0 keeps the behaviour of 1.0. Reserved members are 0.
+ *               When the library fills a description, it sets struct_size to the part that it knows; structs
+ *               that it also reads (mimo_mesh, mimo_texture, mimo_light) keep their struct_size.
+ *     Defaults  NULL for a string means its default.
+ *     Newer     A bit, constant or quantity that the library does not know is MIMO_E_UNSUPPORTED, and the message
+ *               names the library's version; see mimo_api_version and mimo_supports.
+ *     Units     SI units and radians unless stated otherwise; degrees for cameras' fields of view and cones of light,
+ *               months for ages, degrees Celsius for temperatures.
  *               Quaternions are w x y z. Frames: x forward, y left, z up. The velocity of a free joint is linear in
  *               the world frame, then angular in the body's own frame.
  */

@@ -3,7 +3,9 @@
  * Recordings: what a program does with a world, written into one HDF5 file by itself, and played again from there.
  * docs/guide/recordings.md has the file's layout. HDF5 1.10 or later is loaded when it is first needed: the one that
  * `hdf5` of a call names, else that of the environment variable MIMO_HDF5, else the system's. It stays for the
- * process.
+ * process. In programs with elevated rights (setuid and the like) MIMO_HDF5 does not count, and recordings are
+ * MIMO_E_UNSUPPORTED where HDF5's own variables (HDF5_...) are set. HDF5 itself does not survive it when memory runs
+ * out while it starts.
  */
 #ifndef MIMO_RECORDING_H
 #define MIMO_RECORDING_H
@@ -33,6 +35,9 @@ typedef struct mimo_recorder_config {
   const char *configuration; /**< What the program wants to find again: a text, best JSON. NULL (default): "". */
   uint64_t seed;             /**< For people: the attribute `seed`. Replays do not need it. Default 0. */
   const char *hdf5;          /**< Path of the HDF5 library; NULL (default): see above. */
+  uint32_t replace;          /**< 1: a whole recording that is there, and that no program is using, is replaced.
+                                  0 (default): it stays, and the recorder is refused. */
+  uint32_t reserved;         /**< 0. */
 } mimo_recorder_config;
 
 /**
@@ -44,18 +49,24 @@ MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, siz
 /**
  * Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world of a
  * batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to another age;
- * values that are set, loaded states, known movements, bare physics, sounds, random numbers) is found by comparing
- * states, and a state is kept from which a replay goes on there. Kept fields are sensed also where a step skips them. A
+ * values that are set, loaded states, known movements, bare physics, sounds, random numbers) is counted, and where
+ * something was, a state is kept from which a replay goes on there. Kept fields are sensed also where a step skips them. A
  * step that fails is not recorded. A clone is not recorded.
  *
  * A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to
  * the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened.
- * @param path     of the file; one that is there is replaced.
+ * Nothing is written over but an empty file and, where `replace` of the config is 1, a whole recording that no program
+ * is using; that is replaced once the new one has been made beside it. What else is there stays, as MIMO_E_FILE. While
+ * it is recorded, no other recorder takes the file, in this process or another one; where somebody else moves, removes,
+ * replaces or cuts it all the same, the recording ends as on a full disk.
+ * @param path     of the file.
  * @param config   NULL means defaults.
  * @param recorder receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
  * Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
- *         MIMO_E_INVALID_ARGUMENT for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
- *         for a file that cannot be made; MIMO_E_SIMULATION for a world that has failed.
+ *         MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE
+ *         for a file that cannot be made, and for one that is there and is not to be replaced, is no whole recording
+ *         or is in use;
+ *         MIMO_E_SIMULATION for a world that has failed.
  */
 MIMO_API mimo_status mimo_recorder_open(mimo_env *env, const char *path, const mimo_recorder_config *config,
                                         mimo_recorder **recorder) MIMO_NOEXCEPT;
@@ -69,12 +80,14 @@ MIMO_API mimo_status mimo_recorder_flush(mimo_recorder *recorder) MIMO_NOEXCEPT;
 /**
  * Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed handles
  * are ignored. Where the world is gone, the file was closed with it.
- * Errors: as mimo_recorder_flush. MIMO_E_INVALID_ARGUMENT within a step of the world: the recorder then stays.
+ * Errors: as mimo_recorder_flush. MIMO_E_BUSY within a step of the world, and while another thread uses the world: the
+ *         recorder then stays.
  */
 MIMO_API mimo_status mimo_recorder_close(mimo_recorder *recorder) MIMO_NOEXCEPT;
 
 /**
- * Opens a recording, also one whose program was killed.
+ * Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md says
+ * what it can do.
  * @param hdf5      path of the HDF5 library, or NULL.
  * @param recording receives the handle; destroy it with mimo_recording_destroy.
  * Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no
@@ -140,8 +153,8 @@ MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *en
  * changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit.
  * Between two calls the world may be looked at, not changed.
  * @param block, block_bytes, results as in mimo_env_step.
- * Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek; as
- *         mimo_env_step.
+ * Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
+ *         MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
  */
 MIMO_API mimo_status mimo_recording_step(mimo_recording *recording, mimo_env *env, void *block, size_t block_bytes,
                                          const mimo_env_results *results) MIMO_NOEXCEPT;

@@ -1,6 +1,6 @@
 /**
  * @file mimo/sight.h
- * Where infants look, and pictures for people.
+ * The gaze of infants, and pictures of the world.
  */
 #ifndef MIMO_SIGHT_H
 #define MIMO_SIGHT_H
@@ -11,40 +11,41 @@
 extern "C" {
 #endif
 
-/** Where an infant looks. */
+/** The gaze of an infant. */
 typedef struct mimo_gaze {
   uint32_t struct_size;      /**< sizeof(mimo_gaze), set by the caller. */
-  uint32_t meets;            /**< 1: the lines of sight come closest before both eyes; 0: they lead apart. */
-  double left_position[3];   /**< Of the left eye's camera, world, m. */
+  uint32_t meets;            /**< 1: the lines of sight converge in front of the eyes; 0: they diverge. */
+  double left_position[3];   /**< Position of the left eye's camera, world, m. */
   double left_direction[3];  /**< Its line of sight, unit vector, world. */
-  double right_position[3];  /**< Of the right eye's camera. */
+  double right_position[3];  /**< Position of the right eye's camera. */
   double right_direction[3]; /**< Its line of sight. */
-  double vergence;           /**< Angle between the lines of sight, rad; negative where they lead apart. */
-  double point[3];           /**< Where they meet: half-way where they are closest, world, m; zero if they do not. */
-  double miss;               /**< How far they pass each other there, m. */
+  double vergence;           /**< Angle between the lines of sight, rad; negative if they diverge. */
+  double point[3];           /**< Their meeting point: the middle of their closest approach, world, m; zero if they
+                                  diverge. */
+  double miss;               /**< Their distance there, m. */
 } mimo_gaze;
 
 /**
- * Where an agent looks, by its eyes' cameras where mimo_env_get has them: after a step as at the start of the last
- * physics step, after mimo_env_update as they are now. Set gaze->struct_size first.
+ * The gaze of an agent, from the poses of its eyes' cameras that mimo_env_get returns: after a step those at the start
+ * of the last physics step, after mimo_env_update the current ones. Set gaze->struct_size first.
  */
 MIMO_API mimo_status mimo_env_gaze(const mimo_env *env, size_t agent, mimo_gaze *gaze) MIMO_NOEXCEPT;
 
-#define MIMO_LOOK_EYES 0 /**< The eyes alone turn. They reach 45 degrees to the sides, 33 up and 47 down. */
-#define MIMO_LOOK_HEAD 1 /**< The head turns first, so that the eyes have to turn little. */
+#define MIMO_LOOK_EYES 0 /**< Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down. */
+#define MIMO_LOOK_HEAD 1 /**< The head turns first, the eyes turn the rest. */
 
 /**
- * Angles of the joints that make an agent look at a point, from where its chest is now; nothing moves. For position
- * control, for locks, or for mimo_env_set. Eyes do not roll: their torsion is 0.
+ * Computes the joint angles with which an agent looks at a point from the current position of its chest, without moving
+ * anything: for position control, for locks, or for mimo_env_set. The torsion of the eyes is 0.
  * @param point    three numbers, metres, world frame.
  * @param how      MIMO_LOOK_EYES or MIMO_LOOK_HEAD.
- * @param joints   receives ids: pan, tilt and torsion of the left eye, then of the right one; with MIMO_LOOK_HEAD
- *                 swivel and tilt of the head before them. May be NULL.
- * @param angles   receives their angles, rad, cut to the joints' ranges; may be NULL.
- * @param capacity how many joints the arrays have room for; 0 where both are NULL, to learn the count.
- * @param count    receives how many there are; may be NULL.
- * @param errors   receives two angles, by which the left and the right eye miss the point because of their range, rad;
- *                 may be NULL.
+ * @param joints   receives ids: with MIMO_LOOK_HEAD swivel and tilt of the head; then pan, tilt and torsion of the
+ *                 left eye and of the right one. May be NULL.
+ * @param angles   receives their angles, rad, clipped to the joints' ranges; may be NULL.
+ * @param capacity length of the arrays; 0 if both are NULL, to learn the count.
+ * @param count    receives the number of joints; may be NULL.
+ * @param errors   receives two angles, rad: by how much the left and the right eye miss the point because of their
+ *                 range; may be NULL.
  * Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL.
  */
 MIMO_API mimo_status mimo_env_look_angles(mimo_env *env, size_t agent, const double *point, int32_t how,
@@ -52,17 +53,17 @@ MIMO_API mimo_status mimo_env_look_angles(mimo_env *env, size_t agent, const dou
                                           double *errors) MIMO_NOEXCEPT;
 
 /**
- * Makes an agent look at a point at once: its joints are set, as by mimo_env_set, not driven. Springs and motors
- * go on moving them in the next step.
+ * Makes an agent look at a point at once: sets its joints as mimo_env_set does. In the next step springs and motors
+ * move them again.
  * @param errors as in mimo_env_look_angles.
  */
 MIMO_API mimo_status mimo_env_look_at(mimo_env *env, size_t agent, const double *point, int32_t how,
                                       double *errors) MIMO_NOEXCEPT;
 
-#define MIMO_PICTURE_RGBA 0x1u      /**< Four bytes a pixel, the last one 255. */
-#define MIMO_PICTURE_BOTTOM_UP 0x2u /**< Row 0 is the bottom, as in OpenGL's textures; of depth, too. */
+#define MIMO_PICTURE_RGBA 0x1u      /**< Four bytes per pixel, the last one 255. */
+#define MIMO_PICTURE_BOTTOM_UP 0x2u /**< Row 0 is the bottom, as in OpenGL's textures; also for depth. */
 
-/** What to draw. */
+/** Settings of a picture. */
 typedef struct mimo_picture_config {
   uint32_t struct_size; /**< sizeof(mimo_picture_config), set by mimo_picture_config_init. */
   uint32_t width;       /**< Pixels, 1 to 4096. Default 640. */
@@ -70,11 +71,11 @@ typedef struct mimo_picture_config {
   uint32_t format;      /**< MIMO_PICTURE_ bits. Default 0: RGB, row 0 is the top. */
   const char *camera;   /**< A camera of the model; NULL: the free camera below. */
   double look_at[3];    /**< Free camera: the point in the middle, world, m. */
-  double distance;      /**< Free camera: from that point, m, > 0. */
+  double distance;      /**< Free camera: its distance from that point, m, > 0. */
   double azimuth;       /**< Free camera: degrees; 0 looks along +x, 90 along +y. */
   double elevation;     /**< Free camera: degrees; negative looks down. */
   double fovy;          /**< Vertical field of view, degrees; 0: the camera's own. */
-  double foveation;     /**< Of colour and of places: as vision_foveation of mimo_agent_config. Default 0. */
+  double foveation;     /**< As vision_foveation of mimo_agent_config, for colour and projected points. Default 0. */
 } mimo_picture_config;
 
 /**
@@ -83,7 +84,7 @@ typedef struct mimo_picture_config {
  */
 MIMO_API mimo_status mimo_picture_config_init(mimo_picture_config *config, size_t size) MIMO_NOEXCEPT;
 
-/** Where a picture goes. What is NULL is not drawn. */
+/** Buffers for a picture. A part whose buffer is NULL is not drawn. */
 typedef struct mimo_picture {
   uint32_t struct_size;      /**< sizeof(mimo_picture), set by the caller. */
   uint32_t reserved;         /**< 0. */
@@ -96,20 +97,21 @@ typedef struct mimo_picture {
 } mimo_picture;
 
 /**
- * Draws the current state: poses follow from the current positions, as in MIMO_NOW. What mimo_env_get gives stays.
+ * Draws the current state: poses follow from the current positions, as with MIMO_NOW. The values of mimo_env_get do not
+ * change.
  * @param config  NULL means defaults.
- * @param picture says where it goes.
+ * @param picture the buffers.
  */
 MIMO_API mimo_status mimo_env_render(mimo_env *env, const mimo_picture_config *config,
                                      const mimo_picture *picture) MIMO_NOEXCEPT;
 
 /**
- * Where points of the world lie in the picture that mimo_env_render draws, of the current positions as well; for
+ * Projects points of the world into the picture that mimo_env_render draws, also with the current positions; for
  * drawing over it.
  * @param config NULL means defaults, as in mimo_env_render.
  * @param points count x 3, metres, world frame, C order; finite.
  * @param pixels count x 3: pixels to the right of the left edge, pixels below the upper edge, and depth along the
- *               camera's axis in metres. A depth of 0 or less is behind the camera; the pixels then mean nothing.
+ *               camera's axis in metres. A depth of 0 or less is behind the camera; its pixels have no meaning.
  */
 MIMO_API mimo_status mimo_env_project(const mimo_env *env, const mimo_picture_config *config, const double *points,
                                       size_t count, double *pixels) MIMO_NOEXCEPT;
