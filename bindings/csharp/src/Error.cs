@@ -25,16 +25,18 @@ namespace Mimo
             StatusName = name;
         }
 
-        private static readonly Regex function = new Regex(@"\bmimo_(scene|env|batch)_(?!config)(\w+)");
+        private static readonly Regex named = new Regex(@"\bmimo_(?:(\w+_config)|(scene|env|batch|senses|recorder|recording)_(\w+))");
 
-        /// <summary>A message of the library in which C functions have their C# names, such as
+        /// <summary>A message of the library in which C functions and configs have their C# names, such as
         /// "MimoScene.AddAgents".</summary>
         internal static string Named(string message)
         {
-            return function.Replace(message, found =>
-                (found.Groups[1].Value == "scene" ? "MimoScene" : Capital(found.Groups[1].Value)) + "." +
-                string.Concat(found.Groups[2].Value.Split('_').Select(Capital)));
+            return named.Replace(message, found => found.Groups[1].Success ? Pascal(found.Groups[1].Value)
+                : (found.Groups[2].Value == "scene" ? "MimoScene" : Pascal(found.Groups[2].Value)) + "." + Pascal(found.Groups[3].Value))
+                .Replace("MIMO_NOW", "Quantity.Now");
         }
+
+        private static string Pascal(string name) { return string.Concat(name.Split('_').Select(Capital)); }
 
         private static string Capital(string word) { return word.Substring(0, 1).ToUpperInvariant() + word.Substring(1); }
 
