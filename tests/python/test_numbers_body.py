@@ -97,7 +97,7 @@ def test_nerves_by_age():
 def test_what_pictures_hold():
     page = Page("guide/maturity.md")
     finest = [pixels / 2 / (2 * np.tan(np.deg2rad(30))) * np.deg2rad(1) for pixels in (64, 256)]
-    page.says("64 pixels over 60 degrees hold {} cycles per degree", finest[0])
+    page.says("64 pixels over 60 degrees show at most {} cycles per degree", finest[0])
     page.says("and 256 pixels {}, which", finest[1], within=0.05)
     page.says("L / ln(1 + L) times as large, {} times for 10", 10 / np.log(11))
     Page("guide/limited-senses.md").says("cannot show more than {} in its middle", finest[1], within=0.05)

@@ -10,9 +10,9 @@ LAWS = {
         ("| chest, waist, hips: girth | *w*^{}, *w*^{}, *w*^{} |", "growth/proportions.cpp"),
         ("| upper arm, forearm, hand: girth | *w*^{}, *w*^{}, *w*^{} |", "growth/proportions.cpp"),
         ("| thigh, calf, ankle: girth | *w*^{}, *w*^{}, *w*^{} |", "growth/proportions.cpp"),
-        ("| distance of the shoulders | *w*^{}, *w* of", "growth/proportions.cpp"),
+        ("| distance of the shoulders | *w*^{}, with *w* of", "growth/proportions.cpp"),
         ("head's weight: {} at birth, {} at 2 months, {} at 6, {} at 18;", "growth/strength.cpp"),
-        ("that fades until {} months", "growth/tone.cpp"),
+        ("this fades until {} months", "growth/tone.cpp"),
     ],
     "guide/skin.md": [
         ("thin fibres are slower: cold {}/{}, fast pain {}/{} of large", "senses/touch/skin_sense.cpp"),
