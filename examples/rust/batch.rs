@@ -1,4 +1,4 @@
-//! Sixteen infants reach at random, on all cores: `cargo run --example batch`.
+//! Sixteen infants move at random, on all cores: `cargo run --example batch`.
 use mimo::{Autoreset, BatchReset};
 
 fn main() -> mimo::Result<()> {

@@ -1,5 +1,5 @@
-//! What is observed, and more of it: where a ball is, as seen from the head, is a field like any other; and skin says
-//! where it feels. `cargo run --example observe`
+//! Lists the observation's fields, adds a field with a ball's position relative to the head, and finds
+//! the touch receptor that feels most. `cargo run --example observe`
 use mimo::{
     Env, EnvConfig, FieldConfig, Kind, Layout, ObjectConfig, Place, Quantity, Reset, Scene, Vision,
 };
@@ -36,7 +36,7 @@ fn print(layout: &Layout) -> mimo::Result<()> {
     Ok(())
 }
 
-/// The receptor that feels most, and how much, N.
+/// The receptor that feels most, and its force, N.
 fn strongest(forces: &[f32]) -> (usize, f32) {
     let strength = |force: &[f32]| force.iter().map(|f| f * f).sum::<f32>().sqrt();
     let all = forces.chunks(3).map(strength).enumerate();

@@ -1,6 +1,6 @@
-//! A task of one's own with a goal in the observation, for many worlds at once: the infant is to bring its left hand to
-//! a place that each episode draws anew. A learner reads goal and hand from the observation, and may put another goal
-//! in place of the one that was missed. `cargo run --example own_goal`
+//! Your own task with a goal in the observation, for several worlds: the infant has to move its left
+//! hand to a point that each episode draws. A learner reads goal and hand from the observation, and may
+//! replace a missed goal by an achieved one. `cargo run --example own_goal`
 use mimo::{
     BatchReset, Kind, Moment, Outcome, Quantity, Result, TaskField, Touch, Verdict, Vision, World,
 };
@@ -9,11 +9,11 @@ const WORLDS: usize = 4;
 const STEPS: usize = 100;
 const NEAR: f64 = 0.1; // m
 
-/// Where the goals may lie: the middle of a box and its half sizes, m.
+/// The box of possible goals: its middle and its half sizes, m.
 const MIDDLE: [f64; 3] = [0.15, 0.15, 0.3];
 const HALF: [f64; 3] = [0.1, 0.1, 0.1];
 
-/// Shared by all worlds; only read while they run.
+/// All worlds share it, and only read it.
 struct Reach {
     hand: i32,
 }
@@ -69,7 +69,7 @@ impl mimo::Task for Reach {
 }
 
 impl Reach {
-    /// The place of the hand is the achieved goal.
+    /// The position of the hand is the achieved goal.
     fn feel(&self, world: &World, moment: &mut Moment) -> Result<()> {
         let place = world.get(Quantity::BODY_POSITION, &[self.hand])?;
         for (field, place) in moment.fields[3..].iter_mut().zip(place) {

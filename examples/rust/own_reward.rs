@@ -1,8 +1,9 @@
-//! A reward of one's own: minus the distance of the right hand and the mouth, from places that are looked up by name
-//! once and read after every step. `cargo run --example own_reward`
+//! Your own reward: minus the distance between the right hand and the mouth. Their ids are looked up
+//! once, and their positions read after every step. `cargo run --example own_reward`
 use mimo::{Act, Actuation, Kind, Quantity};
 
-/// The body and room of the scene "reach", but no task; the right arm is moved by target angles from -1 to 1.
+/// The body and room of the scene "reach" without its task. Actions are target angles of the right arm,
+/// from -1 to 1.
 fn make_world() -> mimo::Result<mimo::Env> {
     let mut scene = mimo::Scene::builtin("reach")?;
     let mut agent = scene.default_agent()?;
@@ -16,7 +17,7 @@ fn make_world() -> mimo::Result<mimo::Env> {
     mimo::Env::new(&scene, &config)
 }
 
-/// Minus the distance of hand and mouth, m.
+/// Minus the distance between hand and mouth, m.
 fn reward(env: &mimo::World, bodies: &[i32; 2]) -> mimo::Result<f64> {
     const MOUTH: [f64; 3] = [0.075, 0.0, 0.045]; // from the head's origin; the head looks ahead here
     let mut place = [0.0; 6];
@@ -27,7 +28,7 @@ fn reward(env: &mimo::World, bodies: &[i32; 2]) -> mimo::Result<f64> {
     Ok(-square.sqrt())
 }
 
-/// Mean reward of a second towards one posture.
+/// Mean reward of one second of moving to one posture.
 fn try_posture(env: &mut mimo::Env, bodies: &[i32; 2], posture: &[f32]) -> mimo::Result<f64> {
     env.reset(mimo::Reset::new().seed(1), None)?;
     let mut sum = 0.0;
@@ -47,7 +48,7 @@ fn main() -> mimo::Result<()> {
     let mut best = vec![0.0; env.layout()?.action_count()];
     let first = try_posture(&mut env, &bodies, &best)?;
     let mut highest = first;
-    // Learning at its simplest: move one motor at a time, keep what pays.
+    // The simplest learning: change one motor at a time, and keep improvements.
     for trial in 0..24 {
         let mut posture = best.clone();
         posture[trial / 2 % 4] += if trial % 2 == 0 { 0.4 } else { -0.4 };

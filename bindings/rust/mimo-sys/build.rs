@@ -1,6 +1,6 @@
-//! Finds libmimo: in the folder MIMO_LIB_DIR, else where pkg-config says. With the feature `bundled` it is the one that
-//! the crate `mimo-native-*` for the target brings, or, in a clone of the repository, built from the sources around this
-//! crate. What cannot be found is told in a line, and what to do about it.
+//! Finds libmimo: in the folder MIMO_LIB_DIR, otherwise by pkg-config. With the feature `bundled` the library
+//! comes from the crate `mimo-native-*` of the target or, in a clone of the repository, is built from its
+//! sources. If there is no library, one line says so, and what to do.
 use std::path::{Path, PathBuf};
 use std::{env, process::Command};
 
@@ -30,13 +30,14 @@ fn fail(message: &str) -> ! {
     std::process::exit(1)
 }
 
-/// The folder of the library in a crate `mimo-native-*`; the packages that ./dev makes depend on these.
+/// The folder of the library in a crate `mimo-native-*`. The packages that ./dev makes depend on these
+/// crates.
 fn brought() -> Option<PathBuf> {
     let of_native = |name: &std::ffi::OsStr| name.to_string_lossy().starts_with("DEP_MIMO_NATIVE_");
     env::vars_os().find(|(name, _)| of_native(name)).map(|(_, folder)| folder.into())
 }
 
-/// The folder that the user names. Programs look for the library again when they start, and not there by themselves.
+/// The folder that the user names. It is not on the search path of programs that start.
 fn named(folder: PathBuf) -> PathBuf {
     let library = folder.join("libmimo.so");
     if !folder.is_absolute() || !library.exists() {
@@ -53,12 +54,12 @@ fn named(folder: PathBuf) -> PathBuf {
     folder
 }
 
-/// The folder of the installed library; empty when it is one that the linker searches anyway.
+/// The folder of the installed library; empty if the linker searches it anyway.
 fn ask_pkg_config() -> PathBuf {
     let not_found = |why: &str| -> ! {
         fail(&format!(
             "libmimo was not found ({}). Install it (cmake --install build), or set MIMO_LIB_DIR to the folder of libmimo.so, \
-             or, in a clone of its repository, ask for the feature `bundled`",
+             or, in a clone of its repository, use the feature `bundled`",
             why
         ))
     };
@@ -69,15 +70,15 @@ fn ask_pkg_config() -> PathBuf {
     }
 }
 
-/// Builds the library, and nothing else; MIMO_CMAKE_ARGS has further arguments for CMake, such as -Dmujoco_ROOT=FOLDER,
-/// MIMO_BUILD_DIR the folder that it builds in, if that is not to be one of cargo's.
-/// Programs that cargo runs find it; for others it has to be installed.
+/// Builds the library alone. MIMO_CMAKE_ARGS has further arguments for CMake, such as -Dmujoco_ROOT=FOLDER;
+/// MIMO_BUILD_DIR is the build folder, by default one of cargo's. Programs that cargo runs find the library;
+/// for other programs it has to be installed.
 fn build() -> PathBuf {
     let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
     if !sources.join("include/mimo/mimo.h").exists() {
-        fail("there is no libmimo for this target in the feature `bundled`; install it, and set MIMO_LIB_DIR to its folder");
+        fail("the feature `bundled` has no libmimo for this target; install libmimo, and set MIMO_LIB_DIR to its folder");
     }
-    let sources = sources.canonicalize().expect("it is there");
+    let sources = sources.canonicalize().expect("the sources exist");
     let own = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR")).join("libmimo");
     let out = env::var_os("MIMO_BUILD_DIR").map_or(own.clone(), PathBuf::from);
     for part in ["CMakeLists.txt", "cmake", "include", "models", "src"] {
@@ -102,7 +103,7 @@ fn build() -> PathBuf {
     own.join("lib")
 }
 
-/// Programs that cargo runs look for libraries in its own folders only.
+/// Cargo searches libraries of the programs that it runs in its own folders only.
 fn bring(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).expect("cargo's folder can be written");
     for entry in std::fs::read_dir(from).expect("the library was built there") {

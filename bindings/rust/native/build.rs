@@ -1,4 +1,4 @@
-//! Copies the library to where cargo lets programs look for it, and tells mimo-sys.
+//! Copies the library to a folder where programs that cargo runs find it, and reports the folder to mimo-sys.
 use std::path::PathBuf;
 use std::{env, fs};
 

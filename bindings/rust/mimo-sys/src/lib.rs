@@ -1,9 +1,10 @@
-//! The C interface of libmimo as it stands in `mimo.h`: functions, structs and constants, with its comments.
-//! The crate `mimo` makes a safe interface of it; use that unless you need what it does not have.
+//! The C interface of libmimo as declared in `mimo.h`: functions, structs and constants, with its comments.
+//! The crate `mimo` is the safe interface; use it unless you need something that it lacks.
 //!
-//! The library is found by `MIMO_LIB_DIR` (the folder of `libmimo.so`), else by pkg-config; with the feature `bundled` it is
-//! built from the sources around this crate. The system has to find it again when the program runs: installed, or by
-//! `LD_LIBRARY_PATH`; cargo does that for programs that it runs itself.
+//! The build finds the library by `MIMO_LIB_DIR` (the folder of `libmimo.so`), otherwise by pkg-config; with
+//! the feature `bundled` it builds the library from the sources in the repository. When a program starts, the
+//! system has to find the library again: installed, or by `LD_LIBRARY_PATH`. Cargo takes care of this for
+//! programs that it runs.
 // Compilers before the documentation lints of newer ones do not know their names; this has to come first.
 #![allow(unknown_lints)]
 #![allow(non_camel_case_types)]

@@ -1,4 +1,5 @@
-//! The structs lie in memory as in C: sizes and offsets are those that interface/generate.py read from the header.
+//! The structs have the same layout as in C: sizes and offsets come from interface/generate.py, which
+//! reads the header.
 use mimo_sys::*;
 use std::mem::{size_of, MaybeUninit};
 
@@ -6,7 +7,7 @@ fn size_behind<T>(_: *const T) -> usize {
     size_of::<T>()
 }
 
-/// Adds to a list what of a struct does not lie as expected: its size, then offset and size of each member.
+/// Adds each wrong size of a struct, and each wrong offset or size of a member, to a list.
 macro_rules! compare {
     ($wrong:ident, $type:ident $size:literal { $($member:ident $offset:literal $bytes:literal),* $(,)? }) => {{
         let empty = MaybeUninit::<$type>::uninit();
@@ -15,7 +16,7 @@ macro_rules! compare {
             $wrong.push(stringify!($type).to_string());
         }
         $(
-            // Only addresses are taken; nothing is read.
+            // This takes an address and reads nothing.
             let member = unsafe { std::ptr::addr_of!((*start).$member) };
             if (member as usize - start as usize, size_behind(member)) != ($offset, $bytes) {
                 $wrong.push(concat!(stringify!($type), ".", stringify!($member)).to_string());
@@ -25,7 +26,7 @@ macro_rules! compare {
 }
 
 #[test]
-fn structs_lie_as_in_c() {
+fn structs_have_the_layout_of_c() {
     let mut wrong = Vec::<String>::new();
     include!("structs.in");
     assert!(wrong.is_empty(), "not as in C: {:?}", wrong);

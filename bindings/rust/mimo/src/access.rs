@@ -1,4 +1,5 @@
-//! Named access, for rewards and experiments of one's own: ids are looked up once, then many are read and written at a time.
+//! Access by name, for your own rewards and experiments: look an id up once, then read and write many values
+//! at a time.
 use crate::constants::{Kind, Quantity};
 use crate::error::{c_string, check, text, Result};
 use crate::sys;
@@ -6,14 +7,14 @@ use crate::world::World;
 use std::ptr::{null, null_mut};
 
 impl World {
-    /// How many of a kind there are; their ids are 0 to one less.
+    /// The number of elements of a kind; their ids are 0 to one less.
     pub fn count(&self, kind: Kind) -> Result<usize> {
         let mut count = 0;
         check(unsafe { sys::mimo_env_count(self.handle(), kind.raw(), &mut count) })?;
         Ok(count)
     }
 
-    /// The id of something by its name in the model.
+    /// The id of an element by its name in the model.
     pub fn find(&self, kind: Kind, name: &str) -> Result<i32> {
         let name = c_string(name)?;
         let mut id = 0;
@@ -21,14 +22,14 @@ impl World {
         Ok(id)
     }
 
-    /// The name of something; "" where the model gives none.
+    /// The name of an element; "" if the model gives none.
     pub fn name(&self, kind: Kind, id: i32) -> Result<String> {
         let mut name = null();
         check(unsafe { sys::mimo_env_name(self.handle(), kind.raw(), id, &mut name) })?;
         Ok(text(name))
     }
 
-    /// How many values a quantity has for these ids together.
+    /// The number of values that a quantity has for these ids together.
     pub fn width(&self, quantity: Quantity, ids: &[i32]) -> Result<usize> {
         let mut count = 0;
         check(unsafe {
@@ -37,7 +38,7 @@ impl World {
         Ok(count)
     }
 
-    /// Reads a quantity of many at once into `values`, which is as long as [`width`](Self::width) says.
+    /// Reads a quantity of several elements into `values`, whose length is [`width`](Self::width).
     pub fn get_into(&self, quantity: Quantity, ids: &[i32], values: &mut [f64]) -> Result<()> {
         check(unsafe {
             sys::mimo_env_get(
@@ -51,14 +52,14 @@ impl World {
         })
     }
 
-    /// Reads a quantity of many at once.
+    /// Reads a quantity of several elements.
     pub fn get(&self, quantity: Quantity, ids: &[i32]) -> Result<Vec<f64>> {
         let mut values = vec![0.0; self.width(quantity, ids)?];
         self.get_into(quantity, ids, &mut values)?;
         Ok(values)
     }
 
-    /// Writes a quantity of many at once.
+    /// Writes a quantity of several elements.
     pub fn set(&mut self, quantity: Quantity, ids: &[i32], values: &[f64]) -> Result<()> {
         check(unsafe {
             sys::mimo_env_set(
@@ -72,7 +73,7 @@ impl World {
         })
     }
 
-    /// Reads a quantity of all that there are of its kind.
+    /// Reads a quantity of all elements of its kind.
     pub fn get_all(&self, quantity: Quantity) -> Result<Vec<f64>> {
         let mut count = 0;
         check(unsafe { sys::mimo_env_width(self.handle(), quantity.raw(), null(), 0, &mut count) })?;
@@ -83,7 +84,7 @@ impl World {
         Ok(values)
     }
 
-    /// Writes a quantity of all that there are of its kind.
+    /// Writes a quantity of all elements of its kind.
     pub fn set_all(&mut self, quantity: Quantity, values: &[f64]) -> Result<()> {
         check(unsafe {
             sys::mimo_env_set(self.handle(), quantity.raw(), null(), 0, values.as_ptr(), values.len())
@@ -104,7 +105,7 @@ impl World {
         })
     }
 
-    /// Recomputes poses from the current joint positions. The trajectory stays as it was.
+    /// Recomputes poses from the current joint positions. The trajectory does not change.
     pub fn update(&mut self) -> Result<()> {
         check(unsafe { sys::mimo_env_update(self.handle()) })
     }
@@ -124,7 +125,7 @@ impl World {
 }
 
 impl Quantity {
-    /// The same of the present, where the quantity itself belongs to the start of the last physics step: see
+    /// The present value of a quantity that by itself belongs to the start of the last physics step: see
     /// [`sys::MIMO_NOW`].
     pub const fn now(self) -> Quantity {
         Quantity::from_raw(self.raw() | sys::MIMO_NOW as i32)

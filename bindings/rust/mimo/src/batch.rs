@@ -12,8 +12,8 @@ use crate::task::Shared;
 use crate::world::World;
 use std::ptr::{null, null_mut, NonNull};
 
-/// Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single one does that is
-/// reset with the i-th seed and given the i-th actions.
+/// Many worlds of one scene, stepped by a pool of threads. World i does exactly what a single world does
+/// after a reset with the i-th seed, with the i-th actions.
 #[derive(Debug)]
 pub struct Batch {
     handle: NonNull<sys::mimo_batch>,
@@ -24,7 +24,8 @@ pub struct Batch {
     _task: Option<Shared>,
 }
 
-// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+// `&self` methods call functions whose handle is const, `&mut self` methods call the others: the header's
+// rule.
 unsafe impl Send for Batch {}
 unsafe impl Sync for Batch {}
 
@@ -59,15 +60,15 @@ impl Batch {
         self.threads
     }
 
-    /// One world. It takes everything a world of its own does.
+    /// One world. All functions of a single world work on it.
     pub fn world(&mut self, world: usize) -> Result<&mut World> {
         let mut env = null_mut();
         check(unsafe { sys::mimo_batch_world(self.handle(), world, &mut env) })?;
-        // Borrowed from the batch, which is not used meanwhile.
+        // It borrows the batch, so nothing else can use the batch meanwhile.
         Ok(unsafe { World::of(env) })
     }
 
-    /// What each of its worlds observes, acts with and is rewarded for.
+    /// Describes the observations, actions and rewards of each of its worlds.
     pub fn layout(&self) -> Result<Layout<'_>> {
         unsafe { Layout::of(|layout| sys::mimo_batch_layout(self.handle(), layout)) }
     }
@@ -77,19 +78,20 @@ impl Batch {
         self.layout()?.new_blocks(self.worlds)
     }
 
-    /// Memory for the results of a step; final blocks are not wanted unless set.
+    /// Memory for the results of a step. Final blocks are written only if you set them.
     pub fn new_results(&self) -> Result<BatchResults> {
         Ok(BatchResults::of(&self.layout()?, self.worlds))
     }
 
-    /// Starts episodes; without blocks nothing is observed.
+    /// Starts episodes. Without blocks the senses are skipped.
     pub fn reset(&mut self, how: BatchReset, blocks: Option<&mut Block>) -> Result<()> {
         let (bytes, count) = memory(blocks);
         how.with_raw(|how| check(unsafe { sys::mimo_batch_reset(self.handle(), how, bytes, count) }))?
     }
 
-    /// Goes one step on in all worlds; `actions` is worlds x actions, or empty: controls stay as they are.
-    /// The error is that of the first world that did not do what was asked; all others have made their step.
+    /// Makes one step in all worlds. `actions` is worlds x actions; if it is empty, the controls do not
+    /// change. If a world fails, the error is that of the first world that failed; all other worlds have made
+    /// their step.
     pub fn step(
         &mut self,
         actions: &[f32],
@@ -102,7 +104,7 @@ impl Batch {
         check(unsafe { sys::mimo_batch_step(self.handle(), values, actions.len(), bytes, count, &raw) })
     }
 
-    /// A step as [`step`](Self::step) does it, on the batch's threads, while this thread does something else.
+    /// The same as [`step`](Self::step), on the batch's threads, while this thread runs `work`.
     pub fn step_while<R>(
         &mut self,
         actions: &[f32],
@@ -110,7 +112,7 @@ impl Batch {
         results: &mut BatchResults,
         work: impl FnOnce() -> R,
     ) -> Result<R> {
-        /// Receives what was sent whatever happens: until then the arrays belong to the batch.
+        /// Receives the step in any case: until then the arrays belong to the batch.
         struct Sent<'a>(&'a Batch, bool);
         impl Sent<'_> {
             fn receive(mut self) -> Result<()> {
@@ -135,13 +137,13 @@ impl Batch {
         Ok(done)
     }
 
-    /// The observations of the current states, without changing trajectories.
+    /// Observes the current states, without changing trajectories.
     pub fn observe(&mut self, blocks: &mut Block) -> Result<()> {
         let (bytes, count) = memory(Some(blocks));
         check(unsafe { sys::mimo_batch_observe(self.handle(), null(), 0, bytes, count) })
     }
 
-    /// Why one world did not do what was asked in the last call; None if it did.
+    /// The error of one world in the last call; None if there was none.
     pub fn world_error(&self, world: usize) -> Result<Option<Error>> {
         let (mut status, mut message) = (0, null());
         check(unsafe { sys::mimo_batch_world_error(self.handle(), world, &mut status, &mut message) })?;

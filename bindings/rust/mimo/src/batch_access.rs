@@ -28,7 +28,7 @@ impl Batch {
         self.set_in(quantity, ids, values, None)
     }
 
-    /// The same, but only in the worlds whose entry of the mask is true; None: in all.
+    /// The same in the worlds whose entry of the mask is true; None: in all worlds.
     pub fn set_in(
         &mut self,
         quantity: Quantity,
@@ -44,13 +44,13 @@ impl Batch {
         })
     }
 
-    /// Gives an infant another face in the worlds whose entry of the mask is true; None: in all.
+    /// Gives an infant another face in the worlds whose entry of the mask is true; None: in all worlds.
     pub fn set_face(&mut self, agent: usize, name: &str, mask: Option<&[bool]>) -> Result<()> {
         let face = self.world(0)?.find(Kind::FACE, name)? as f64;
         self.set_in(Quantity::AGENT_FACE, &[agent as i32], &vec![face; self.worlds()], mask)
     }
 
-    /// The states of all worlds, one after the other, each in as many bytes as the longest.
+    /// The states of all worlds, one after the other; each takes as many bytes as the longest.
     pub fn save(&mut self) -> Result<Vec<u8>> {
         let mut bytes = 0;
         check(unsafe { sys::mimo_batch_state_size(self.handle(), &mut bytes) })?;
@@ -62,8 +62,9 @@ impl Batch {
         Ok(states)
     }
 
-    /// Loads one state for each world, or a single one into all: futures of one present. Only into the worlds whose
-    /// entry of the mask is true; None: into all. Tells of the world where most started fresh.
+    /// Loads one state for each world, or a single state into all of them, which then continue from the same
+    /// present. The mask selects the worlds; None: all. The report is that of the world where most memories
+    /// started fresh.
     pub fn load(&mut self, states: &[u8], mask: Option<&[bool]>) -> Result<LoadReport> {
         let (mask, worlds) = chosen(mask);
         let from = states.as_ptr() as *const c_void;

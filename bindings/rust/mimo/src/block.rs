@@ -7,12 +7,12 @@ use std::os::raw::c_void;
 use std::ptr::null_mut;
 use std::sync::Arc;
 
-/// Blocks are made of these, so that fields lie at multiples of 64 bytes in memory too.
+/// A block consists of lines, so that fields lie at multiples of 64 bytes in memory, too.
 #[derive(Clone, Copy)]
 #[repr(C, align(64))]
 struct Line([u8; 64]);
 
-/// Memory for the observations of one world, or of all worlds of a batch. It knows where the fields are.
+/// Memory for the observations of one world, or of all worlds of a batch. It knows its fields.
 #[derive(Clone)]
 pub struct Block {
     lines: Vec<Line>,
@@ -20,7 +20,7 @@ pub struct Block {
     fields: Arc<[Field]>,
 }
 
-// Bytes are too many to be read; what they mean is said.
+// A block prints its fields, not its millions of bytes.
 impl fmt::Debug for Block {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
         let worlds = self.worlds();
@@ -33,27 +33,27 @@ impl fmt::Debug for Block {
 
 impl Block {
     pub(crate) fn new(world_bytes: usize, worlds: usize, fields: Arc<[Field]>) -> Block {
-        // The library's sizes are multiples of 64; a field's view would not fit in anything less.
+        // The library's sizes are multiples of 64. A smaller block would be too short for its fields.
         let lines = vec![Line([0; 64]); world_bytes / 64 * worlds];
         Block { lines, world_bytes, fields }
     }
 
-    /// All bytes, worlds one after the other.
+    /// All bytes, world after world.
     pub fn as_bytes(&self) -> &[u8] {
         unsafe { std::slice::from_raw_parts(self.lines.as_ptr() as *const u8, self.lines.len() * 64) }
     }
 
-    /// All bytes, for writing, for example to normalise them; every step writes every byte anew.
+    /// All bytes, for example to normalise them. Every step overwrites every byte.
     pub fn as_bytes_mut(&mut self) -> &mut [u8] {
         unsafe { std::slice::from_raw_parts_mut(self.lines.as_mut_ptr() as *mut u8, self.lines.len() * 64) }
     }
 
-    /// How many worlds' observations it holds.
+    /// The number of worlds whose observations it holds.
     pub fn worlds(&self) -> usize {
         self.as_bytes().len() / self.world_bytes.max(1)
     }
 
-    /// What one world observed. Panics if there is no such world, as an index does.
+    /// The observation of one world. Panics if there is no such world, as an index does.
     pub fn world(&self, world: usize) -> Observation<'_> {
         let start = world * self.world_bytes;
         Observation { bytes: &self.as_bytes()[start..start + self.world_bytes], fields: &self.fields }
@@ -85,7 +85,7 @@ impl Block {
     }
 }
 
-/// Pointer and length of a block for the library; no block is NULL and 0.
+/// Pointer and length of a block for the library; NULL and 0 without a block.
 pub(crate) fn memory(block: Option<&mut Block>) -> (*mut c_void, usize) {
     match block {
         Some(block) => (block.lines.as_mut_ptr().cast(), block.as_bytes().len()),
@@ -93,7 +93,7 @@ pub(crate) fn memory(block: Option<&mut Block>) -> (*mut c_void, usize) {
     }
 }
 
-/// What one world observed: its part of a block.
+/// The observation of one world: its part of a block.
 #[derive(Clone, Copy)]
 pub struct Observation<'a> {
     bytes: &'a [u8],
@@ -122,7 +122,7 @@ impl<'a> Observation<'a> {
         self.view(name, FieldType::I32)
     }
 
-    /// A field of single precision numbers: all senses but colour and segmentation. No copy.
+    /// A field of single precision numbers: all senses except colour and segmentation. No copy.
     pub fn f32(&self, name: &str) -> Result<&'a [f32]> {
         self.view(name, FieldType::F32)
     }
@@ -132,7 +132,7 @@ impl<'a> Observation<'a> {
         self.view(name, FieldType::F64)
     }
 
-    /// `T` is the type of `dtype`, for which all bit patterns are values.
+    /// `T` is the type that `dtype` stands for. All its bit patterns are valid.
     fn view<T>(&self, name: &str, dtype: FieldType) -> Result<&'a [T]> {
         let field = self.find(name)?;
         if field.dtype != dtype {

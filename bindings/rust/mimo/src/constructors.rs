@@ -1,4 +1,4 @@
-//! How configs are made that need to be told something first.
+//! Constructors with arguments.
 use crate::configs::*;
 use crate::constants::{Quantity, Status};
 use crate::error::{c_string, check, Error, Result};
@@ -32,7 +32,7 @@ impl SceneConfig {
     }
 }
 
-/// C takes "" for nothing, which would make an empty world.
+/// In C "" means nothing, and nothing makes an empty world.
 fn refuse_empty(name: &str, text: &str, expected: &str) -> Result<()> {
     if text.is_empty() {
         return Err(Error::new(Status::INVALID_ARGUMENT, format!("{name} is \"\", expected {expected}")));
@@ -41,19 +41,19 @@ fn refuse_empty(name: &str, text: &str, expected: &str) -> Result<()> {
 }
 
 impl ObjectConfig {
-    /// An object with the name of its body and geom, unique in the scene.
+    /// An object. Its body and its geom get the name, which is unique in the scene.
     pub fn new(name: &str) -> Result<ObjectConfig> {
         Ok(ObjectConfig { name: Some(c_string(name)?), ..ObjectConfig::init()? })
     }
 }
 
 impl ModelConfig {
-    /// A file; all names in it get `name` and '/' before them.
+    /// From a file. All names in it are prefixed with `name` and '/'.
     pub fn file(name: &str, path: &str) -> Result<ModelConfig> {
         Ok(ModelConfig { file: Some(c_string(path)?), ..ModelConfig::named(name)? })
     }
 
-    /// A text; relative paths in it start from the working directory.
+    /// From MJCF text. Relative paths in it start from the working directory.
     pub fn xml(name: &str, text: &str) -> Result<ModelConfig> {
         Ok(ModelConfig { xml: Some(c_string(text)?), ..ModelConfig::named(name)? })
     }
@@ -109,7 +109,7 @@ impl Growth {
 }
 
 impl BatchConfig {
-    /// That many worlds, one thread for each core, no automatic reset.
+    /// A number of worlds, with one thread for each core and without automatic reset.
     pub fn new(worlds: u32) -> Result<BatchConfig> {
         let mut config = BatchConfig::init()?;
         config.raw.worlds = worlds;

@@ -1,4 +1,4 @@
-//! What touches what.
+//! Contacts.
 use crate::constants::Quantity;
 use crate::error::Result;
 use crate::rows::row;
@@ -36,16 +36,16 @@ pub struct StepContact {
     pub start: f64,
     /// When they last touched, seconds since the step began.
     pub end: f64,
-    /// On body 2 over the whole step, N s.
+    /// Impulse on body 2 over the whole step, N s.
     pub impulse: [f64; 3],
-    /// On body 2, the largest of the physics steps', N.
+    /// The largest force on body 2 of any physics step, N.
     pub peak_force: [f64; 3],
-    /// Of the strongest contact then, metres.
+    /// Position of the strongest contact at that time, metres.
     pub peak_position: [f64; 3],
 }
 
 impl World {
-    /// The contacts that the last physics step computed, with their forces.
+    /// The contacts of the last physics step, with their forces.
     pub fn contacts(&self) -> Result<Vec<Contact>> {
         let geoms = self.get_all(Quantity::CONTACT_GEOMS)?;
         let bodies = self.get_all(Quantity::CONTACT_BODIES)?;
@@ -66,7 +66,8 @@ impl World {
         Ok((0..distances.len()).map(contact).collect())
     }
 
-    /// What touched what during the last step, in worlds made with [`EnvConfig::step_contacts`](crate::EnvConfig).
+    /// All pairs of geoms that touched during the last step, in worlds made with
+    /// [`EnvConfig::step_contacts`](crate::EnvConfig).
     pub fn step_contacts(&self) -> Result<Vec<StepContact>> {
         let geoms = self.get_all(Quantity::STEP_CONTACT_GEOMS)?;
         let bodies = self.get_all(Quantity::STEP_CONTACT_BODIES)?;

@@ -1,5 +1,5 @@
-//! What enumerations are in Rust: a number with named constants. They are open, as those of C are: a library that is
-//! newer than this crate may return values that have no name here yet, and takes numbers that this crate does not know.
+//! Enumerations: numbers with named constants. They are open, as in C, because a newer library may return and
+//! accept values that this crate has no name for.
 
 /// A choice of one value.
 macro_rules! values {
@@ -12,12 +12,12 @@ macro_rules! values {
         impl $name {
             $($(#[$what])* pub const $value: $name = $name(sys::$constant);)*
 
-            /// The value of a number of C.
+            /// The value that has this number in C.
             pub const fn from_raw(number: $number) -> $name {
                 $name(number)
             }
 
-            /// The number that it is in C.
+            /// Its number in C.
             pub const fn raw(self) -> $number {
                 self.0
             }
@@ -34,7 +34,7 @@ macro_rules! values {
     };
 }
 
-/// Bits that are combined by `|`.
+/// A set of flags, combined by `|`.
 macro_rules! flags {
     ($(#[$about:meta])* $name:ident: $number:ident $($(#[$what:meta])* $flag:ident = $constant:ident,)*) => {
         $(#[$about])*
@@ -50,12 +50,12 @@ macro_rules! flags {
                 $name(0)
             }
 
-            /// The flags of bits of C.
+            /// The flags that have these bits in C.
             pub const fn from_raw(bits: $number) -> $name {
                 $name(bits)
             }
 
-            /// The bits that they are in C.
+            /// Their bits in C.
             pub const fn raw(self) -> $number {
                 self.0
             }

@@ -1,4 +1,4 @@
-//! Worlds of their own.
+//! Single worlds.
 use crate::configs::EnvConfig;
 use crate::error::{c_string, check, Result};
 use crate::log::Log;
@@ -9,7 +9,7 @@ use crate::world::World;
 use std::ops::{Deref, DerefMut};
 use std::ptr::{null_mut, NonNull};
 
-/// A world of its own.
+/// A single world.
 #[derive(Debug)]
 pub struct Env {
     handle: NonNull<sys::mimo_env>,
@@ -23,7 +23,7 @@ unsafe impl Send for Env {}
 unsafe impl Sync for Env {}
 
 impl Env {
-    /// The usual case in one call: a built-in scene by name with its own infant and task.
+    /// A world of a built-in scene with its default infant and task.
     pub fn make(scene: &str) -> Result<Env> {
         let scene = c_string(scene)?;
         let mut handle = null_mut();
@@ -31,14 +31,14 @@ impl Env {
         Ok(Env::own(handle, None, None))
     }
 
-    /// Compiles a scene and makes a world of it, in its initial state.
+    /// Compiles a scene and makes a world in its initial state.
     pub fn new(scene: &Scene, config: &EnvConfig) -> Result<Env> {
         let mut handle = null_mut();
         config.with_raw(|raw| check(unsafe { sys::mimo_env_create(scene.handle(), raw, &mut handle) }))?;
         Ok(Env::own(handle, config.log.clone(), scene.task.clone()))
     }
 
-    /// Another world of the same scene and config, in the same state. The model is shared.
+    /// Another world of the same scene and config, in the same state. The two share the model.
     pub fn try_clone(&self) -> Result<Env> {
         let mut handle = null_mut();
         check(unsafe { sys::mimo_env_clone(self.handle.as_ptr(), &mut handle) })?;

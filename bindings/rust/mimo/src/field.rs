@@ -1,4 +1,4 @@
-//! What stands where in a block.
+//! The fields of a block.
 use crate::constants::FieldType;
 use crate::error::text;
 use crate::sys;
@@ -6,10 +6,11 @@ use std::ops::Range;
 
 /// One field of an observation block.
 ///
-/// What a step gives belongs to the time from `start` to `end`, in seconds after the step's end: both are 0 for what is
-/// true then, both are negative for what is late or belongs to the start of the last physics step, and `start` is before
-/// `end` for what was gathered meanwhile. After a reset, and from [`World::observe`](crate::World::observe), it belongs to
-/// now, but for what is late.
+/// Its time: the value that a step writes belongs to the time from `start` to `end`, in seconds after the
+/// step's end. Both are 0 for the current state, both are negative for values with a delay or of the start of
+/// the last physics step, and `start` is before `end` for values that were gathered over a time. After a
+/// reset, and from [`World::observe`](crate::World::observe), the value is the current one, except if it has
+/// a delay.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Field {
@@ -23,29 +24,29 @@ pub struct Field {
     pub dtype: FieldType,
     /// Dimensions, C order.
     pub shape: Vec<usize>,
-    /// Where it lies in the block of one world, bytes.
+    /// Its bytes in the block of one world.
     pub bytes: Range<usize>,
-    /// Smallest possible value; -infinity where there is none.
+    /// Smallest possible value; -infinity if there is none.
     pub low: f64,
-    /// Largest possible value; infinity where there is none.
+    /// Largest possible value; infinity if there is none.
     pub high: f64,
     /// Seconds after the step's end, <= 0.
     pub start: f64,
     /// Seconds after the step's end, `start` <= `end` <= 0.
     pub end: f64,
-    /// Seconds from one new value to the next: those of a step.
+    /// Seconds between new values: the length of a step.
     pub period: f64,
-    /// On how many receptors of the skin it reports, in the order of its first axis; 0: it is not of skin.
+    /// Number of skin receptors along its first axis; 0: not a skin field.
     pub receptors: usize,
-    /// Of sound, samples a second, the oldest first; 0: it is no sound.
+    /// For sound: samples per second, the oldest first; 0: not a sound.
     pub sample_rate: f64,
 }
 
 impl Field {
-    /// The library's description, which lies in a block as it says.
+    /// Reads the library's description.
     ///
     /// # Safety
-    /// The library has filled it, and its owner lives.
+    /// The library has filled `raw`, and its owner lives.
     pub(crate) unsafe fn of(raw: &sys::mimo_field) -> Field {
         Field {
             name: text(raw.name),

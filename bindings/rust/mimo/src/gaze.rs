@@ -1,4 +1,4 @@
-//! Where an infant looks, and making it look.
+//! The gaze of infants.
 use crate::constants::Look;
 use crate::error::{check, Result};
 use crate::structs::described;
@@ -10,25 +10,25 @@ use std::ptr::null_mut;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Sightline {
-    /// Of the eye's camera, world, m.
+    /// Position of the eye's camera, world, m.
     pub position: [f64; 3],
     /// Unit vector, world.
     pub direction: [f64; 3],
 }
 
-/// Where both eyes look.
+/// The gaze of both eyes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Gaze {
-    /// Of the left eye.
+    /// Line of sight of the left eye.
     pub left: Sightline,
-    /// Of the right eye.
+    /// Line of sight of the right eye.
     pub right: Sightline,
-    /// Angle between the lines of sight, rad; negative where they lead apart.
+    /// Angle between the lines of sight, rad; negative if they diverge.
     pub vergence: f64,
-    /// Where they come closest to each other, world, m; None where they lead apart.
+    /// The middle of their closest approach, world, m; None if they diverge.
     pub point: Option<[f64; 3]>,
-    /// How far they pass each other there, m.
+    /// Their distance there, m.
     pub miss: f64,
 }
 
@@ -36,17 +36,17 @@ pub struct Gaze {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LookAngles {
-    /// Ids: pan, tilt and torsion of the left eye, then of the right one; before them swivel and tilt of the head with
-    /// [`Look::HEAD`].
+    /// Ids: pan, tilt and torsion of the left eye, then of the right eye. With [`Look::HEAD`] swivel and tilt
+    /// of the head come first.
     pub joints: Vec<i32>,
     /// Their angles, rad, within the joints' ranges.
     pub angles: Vec<f64>,
-    /// By how much the left and the right eye miss the point because of their range, rad.
+    /// Angles by which the left and the right eye miss the point because of their range, rad.
     pub errors: [f64; 2],
 }
 
 impl World {
-    /// Where an infant looks, by the poses of its eyes' cameras as they are.
+    /// The gaze of an infant, from the current poses of its eyes' cameras.
     pub fn gaze(&self, agent: usize) -> Result<Gaze> {
         let raw: sys::mimo_gaze = described(|raw| unsafe { sys::mimo_env_gaze(self.handle(), agent, raw) })?;
         Ok(Gaze {
@@ -73,8 +73,8 @@ impl World {
         Ok(LookAngles { joints, angles, errors })
     }
 
-    /// Makes an infant look at a point (world, m) at once; springs and motors go on moving its joints in the next
-    /// step. Gives the angles by which the left and the right eye miss it, rad.
+    /// Makes an infant look at a point (world, m) at once; springs and motors move its joints again in the
+    /// next step. Returns the angles by which the left and the right eye miss the point, rad.
     pub fn look_at(&mut self, agent: usize, point: [f64; 3], how: Look) -> Result<[f64; 2]> {
         let mut errors = [0.0; 2];
         check(unsafe {

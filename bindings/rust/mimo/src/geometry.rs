@@ -6,12 +6,12 @@ use crate::structs::{defaults, described, sized};
 use crate::sys;
 use crate::world::World;
 
-/// How fine a mesh is.
+/// The resolution of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Detail {
-    /// Pieces of a circle, a multiple of 4, 4 to 256.
+    /// Segments of a circle, a multiple of 4, 4 to 256.
     pub segments: u32,
-    /// Half the size of planes without an end, m.
+    /// Half the size that infinite planes get, m.
     pub plane: f64,
 }
 
@@ -25,13 +25,13 @@ impl Default for Detail {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Mesh {
-    /// Of the vertices.
+    /// Positions of the vertices.
     pub positions: Vec<[f32; 3]>,
     /// Unit vectors.
     pub normals: Vec<[f32; 3]>,
-    /// (0, 0) is where the texture's first row begins.
+    /// (0, 0) is the start of the texture's first row.
     pub texcoords: Vec<[f32; 2]>,
-    /// Numbers of vertices, in the order that the engine takes for an outside.
+    /// Vertex indices, in the order of the engine's front faces.
     pub triangles: Vec<[u32; 3]>,
 }
 
@@ -43,28 +43,28 @@ pub struct Texture {
     pub kind: TextureType,
     /// Pixels.
     pub width: u32,
-    /// Pixels, of a cube's six pictures together.
+    /// Pixels; of a cube the sum of its six pictures.
     pub height: u32,
-    /// Red, green, blue, 255 of each, row after row.
+    /// Red, green, blue and 255 of each pixel, row after row.
     pub pixels: Vec<u8>,
 }
 
-/// Where something is.
+/// Position and rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Pose {
-    /// Metres, centimetres for Unreal.
+    /// Metres; centimetres with [`Axes::UNREAL`](crate::Axes::UNREAL).
     pub position: [f32; 3],
-    /// In the order of the frame: w x y z of ours, x y z w of the others.
+    /// w x y z with [`Axes::MIMO`](crate::Axes::MIMO), otherwise x y z w.
     pub rotation: [f32; 4],
 }
 
-/// Places of ours in another frame: of touch sensors, for example.
+/// Converts points of this library, for example of touch sensors, to another frame.
 pub fn convert_points(axes: Axes, points: &mut [[f32; 3]]) -> Result<()> {
     check(unsafe { sys::mimo_convert_points(axes.raw(), points.as_mut_ptr().cast(), points.len()) })
 }
 
-/// Directions likewise; their lengths stay.
+/// The same for directions, which keep their lengths.
 pub fn convert_directions(axes: Axes, directions: &mut [[f32; 3]]) -> Result<()> {
     check(unsafe {
         sys::mimo_convert_directions(axes.raw(), directions.as_mut_ptr().cast(), directions.len())
@@ -96,12 +96,12 @@ impl World {
         Ok(mesh)
     }
 
-    /// How a geom looks now.
+    /// The current appearance of a geom.
     pub fn appearance(&self, geom: i32) -> Result<Appearance> {
         Ok(Appearance::of(&described(|raw| unsafe { sys::mimo_env_appearance(self.handle(), geom, raw) })?))
     }
 
-    /// How many textures there are; ids are 0 to that - 1.
+    /// The number of textures; their ids are 0 to one less.
     pub fn texture_count(&self) -> Result<usize> {
         let mut count = 0;
         check(unsafe { sys::mimo_env_texture_count(self.handle(), &mut count) })?;
@@ -119,21 +119,21 @@ impl World {
         Ok(Texture { kind: TextureType::from_raw(raw.type_), width: raw.width, height: raw.height, pixels })
     }
 
-    /// A light by its id; None: the one that every camera carries.
+    /// A light by its id; None: the headlight of every camera.
     pub fn light(&self, id: Option<i32>, axes: Axes) -> Result<Light> {
         let mut raw = sys::mimo_light { axes: axes.raw(), ..sized() };
         check(unsafe { sys::mimo_env_light(self.handle(), id.unwrap_or(sys::MIMO_HEADLIGHT), &mut raw) })?;
         Ok(Light::of(&raw))
     }
 
-    /// Where all bodies, geoms, sites or cameras are now.
+    /// The current poses of all bodies, geoms, sites or cameras.
     pub fn poses(&self, kind: Kind, axes: Axes) -> Result<Vec<Pose>> {
         let mut poses = vec![Pose::default(); self.count(kind)?];
         self.poses_into(kind, axes, &mut poses)?;
         Ok(poses)
     }
 
-    /// The same into memory that is there.
+    /// The same into existing memory.
     pub fn poses_into(&self, kind: Kind, axes: Axes, poses: &mut [Pose]) -> Result<()> {
         let (to, count) = (poses.as_mut_ptr().cast(), 7 * poses.len());
         check(unsafe { sys::mimo_env_poses(self.handle(), kind.raw(), axes.raw(), to, count) })

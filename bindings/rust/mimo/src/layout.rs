@@ -1,4 +1,4 @@
-//! What something observes, acts with and is rewarded for.
+//! Descriptions of observations, actions and rewards.
 use crate::block::Block;
 use crate::constants::Receptor;
 use crate::error::{c_string, check, text, Result};
@@ -9,8 +9,8 @@ use crate::structs::described;
 use crate::sys;
 use std::ptr::null;
 
-/// What a [`World`](crate::World), a [`Batch`](crate::Batch) (each world of it alike) or [`Senses`](crate::Senses) observe,
-/// act with and are rewarded for. It never changes.
+/// Describes the observations, actions and rewards of a [`World`](crate::World), of each world of a
+/// [`Batch`](crate::Batch), or of [`Senses`](crate::Senses). It never changes.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout<'a> {
     // Belongs to its owner.
@@ -18,7 +18,7 @@ pub struct Layout<'a> {
     info: sys::mimo_layout_info,
 }
 
-/// A place where skin feels.
+/// A receptor of the skin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ReceptorInfo {
@@ -34,7 +34,7 @@ pub struct ReceptorInfo {
 
 impl<'a> Layout<'a> {
     /// # Safety
-    /// What is asked gives the layout of something that lives as long as `'a`.
+    /// `ask` returns the layout of an owner that lives as long as `'a`.
     pub(crate) unsafe fn of(
         ask: impl FnOnce(*mut *const sys::mimo_layout) -> sys::mimo_status,
     ) -> Result<Layout<'a>> {
@@ -49,7 +49,7 @@ impl<'a> Layout<'a> {
         self.info.block_bytes
     }
 
-    /// Number of agents: of rewards, flags and outcomes.
+    /// Number of agents, and so of rewards, flags and outcomes.
     pub fn agent_count(&self) -> usize {
         self.info.agents
     }
@@ -83,8 +83,8 @@ impl<'a> Layout<'a> {
         Ok(index)
     }
 
-    /// What each element of a field is: the joint, sensor or actuator that it belongs to, "robot:left_elbow"; "" in
-    /// pictures and touch.
+    /// The joint, sensor or actuator of each element of a field, "robot:left_elbow"; "" in pictures and
+    /// touch.
     pub fn labels(&self, field: usize) -> Result<Vec<String>> {
         let elements = self.field(field)?.shape.iter().product::<usize>();
         (0..elements).map(|element| self.label(field, element)).collect()
@@ -96,16 +96,16 @@ impl<'a> Layout<'a> {
         Ok(text(label))
     }
 
-    /// How late each element of a field comes, in seconds; 0 for what is sensed at once. A reset that makes an infant
-    /// older changes it, and so when fields are true; of a batch both are as world 0 was made.
+    /// The delay of each element of a field in seconds; 0 for none. A reset to another age changes the
+    /// delays, and with them the times of fields. For a batch both are those of world 0 as it was made.
     pub fn delays(&self, field: usize) -> Result<Vec<f64>> {
         let mut seconds = vec![0.0; self.field(field)?.shape.iter().product()];
         check(unsafe { sys::mimo_layout_delays(self.handle, field, seconds.as_mut_ptr(), seconds.len()) })?;
         Ok(seconds)
     }
 
-    /// Where the pixels of a picture lie, foveated or not: unit vectors from the eye or camera to the middle of each, row
-    /// by row, in its own frame: x right, y up, z backwards.
+    /// The directions of a picture's pixels, foveated or not: unit vectors from the eye or camera to the
+    /// middle of each pixel, row by row, in the camera's frame (x right, y up, z backwards).
     pub fn directions(&self, field: usize) -> Result<Vec<[f32; 3]>> {
         let mut vectors = vec![[0.0; 3]; self.field(field)?.shape.iter().take(2).product()];
         let count = 3 * vectors.len();
@@ -115,7 +115,7 @@ impl<'a> Layout<'a> {
         Ok(vectors)
     }
 
-    /// Where a field's receptors are, in the order of its first axis.
+    /// The receptors of a field, in the order of its first axis.
     pub fn receptors(&self, field: usize) -> Result<Vec<ReceptorInfo>> {
         let bodies = self.receptor_values(field, Receptor::BODY)?;
         let geoms = self.receptor_values(field, Receptor::GEOM)?;
@@ -148,7 +148,7 @@ impl<'a> Layout<'a> {
         Ok(Action::of(&described(|raw| unsafe { sys::mimo_layout_action(self.handle, index, raw) })?))
     }
 
-    /// What the terms of [`Results`](crate::Results) are, in their order.
+    /// Names the terms of [`Results`](crate::Results), in their order.
     pub fn terms(&self) -> Result<Vec<Term>> {
         (0..self.info.terms).map(|index| self.term(index)).collect()
     }
@@ -157,7 +157,7 @@ impl<'a> Layout<'a> {
         Ok(Term::of(&described(|raw| unsafe { sys::mimo_layout_term(self.handle, index, raw) })?))
     }
 
-    /// Memory for observations of so many worlds.
+    /// Memory for the observations of several worlds.
     pub(crate) fn new_blocks(&self, worlds: usize) -> Result<Block> {
         Ok(Block::new(self.block_bytes(), worlds, self.fields()?.into()))
     }

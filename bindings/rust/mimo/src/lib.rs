@@ -12,17 +12,18 @@
 //! # Ok(()) }
 //! ```
 //!
-//! A [`Scene`] describes a room, objects and infants; an [`Env`] is one world made of it, a [`Batch`] many. Their [`Layout`]
-//! says what is observed, acted with and rewarded. What the senses gave stands in a [`Block`], whose fields are slices
-//! into it. Whatever can fail gives an [`Error`] with the
-//! library's message. Units are SI units and radians; quaternions are w x y z; x forward, y left, z up.
+//! A [`Scene`] describes a room, objects and infants; an [`Env`] is one world made from it, a [`Batch`] has
+//! many. Their [`Layout`] describes observations, actions and rewards. A [`Block`] holds an observation; its
+//! fields are slices of it. A call that can fail returns an [`Error`] with the library's message. Units are
+//! SI units and radians; quaternions are w x y z; x forward, y left, z up.
 //!
 //! # Threads
-//! Every type is `Send`: a handle may move between threads. Every type is `Sync`, for `&self` methods call functions
-//! that may run at the same time on one handle, and `&mut self` methods those that need it for themselves.
+//! Every type except [`Recorder`] is `Send`: a handle may move between threads. Every type except
+//! [`Recorder`] is `Sync`: functions of C that may run at the same time on one handle are `&self` methods,
+//! the others are `&mut self` methods.
 //!
 //! Constants are those of C in types of their own: [`Quantity::BODY_POSITION`] is `MIMO_BODY_POSITION`, and
-//! `Touch::FORCE | Touch::SLIP` are two bits. Whatever has no safe form yet is in [`sys`].
+//! `Touch::FORCE | Touch::SLIP` are two bits. Functions that have no safe form yet are in [`sys`].
 #![warn(missing_docs, missing_debug_implementations)]
 
 pub use mimo_sys as sys;

@@ -1,4 +1,4 @@
-//! What the library brings along, by name.
+//! Names that the library knows.
 use crate::error::{check, text, Result};
 use crate::records::Parameter;
 use crate::structs::described;

@@ -11,21 +11,21 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LogRecord<'a> {
-    /// How much it matters.
+    /// Its importance.
     pub level: LogLevel,
-    /// What physics warns of; None for all other messages.
+    /// The warning of the physics; None for all other messages.
     pub code: Option<WarningCode>,
     /// One line.
     pub text: &'a str,
-    /// The world whose physics warns, by its number in its batch (0 for a single one); None where a scene, a model or a
-    /// renderer has something to say.
+    /// The world whose physics warns, by its number in its batch (0 for a single world); None for messages of
+    /// a scene, a model or a renderer.
     pub world: Option<usize>,
-    /// Simulated seconds since that world's reset; 0 where there is none.
+    /// Simulated seconds since that world's reset; 0 without a world.
     pub time: f64,
 }
 
-/// A closure behind a thin pointer that the library keeps. Whoever owns a handle made with it owns a share of it.
-/// `Sync`, because clones of a world share it, and each may be on a thread of its own.
+/// A closure behind a thin pointer that the library keeps. The owner of a handle made with it owns a share of
+/// it. `Sync`, because clones of a world share it, and each may be on a thread of its own.
 #[derive(Clone)]
 pub(crate) struct Log(Arc<Closure>);
 
@@ -43,7 +43,7 @@ impl fmt::Debug for Log {
     }
 }
 
-/// The pair that goes into a config; the pointer is good as long as a share of the log lives.
+/// The two members of a config; the pointer is valid as long as a share of the log lives.
 pub(crate) fn raw(log: &Option<Log>) -> (sys::mimo_log_fn, *mut c_void) {
     match log {
         Some(log) => (Some(forward), Arc::as_ptr(&log.0) as *mut c_void),
@@ -51,7 +51,7 @@ pub(crate) fn raw(log: &Option<Log>) -> (sys::mimo_log_fn, *mut c_void) {
     }
 }
 
-/// A panic must not cross the C frames above: the closure's message is lost then, nothing else.
+/// A panic must not unwind into C: it is caught and dropped here.
 unsafe extern "C" fn forward(user: *mut c_void, record: *const sys::mimo_log_record) {
     let (log, told) = (&*(user as *const Closure), &*record);
     let text = CStr::from_ptr(told.text).to_string_lossy();

@@ -1,4 +1,4 @@
-//! What differs from world to world, though all share one model. It outlives resets and is part of the state.
+//! Values that differ between the worlds of one model. They outlive resets and are part of the state.
 use crate::constants::{Kind, Quantity};
 use crate::error::Result;
 use crate::world::World;
@@ -13,7 +13,7 @@ impl World {
         self.name(Kind::FACE, face as i32)
     }
 
-    /// Gives an infant another face, see [`faces`](crate::faces); pictures show it from the next one on.
+    /// Gives an infant another face, see [`faces`](crate::faces); the next picture shows it.
     pub fn set_face(&mut self, agent: usize, name: &str) -> Result<()> {
         let face = self.find(Kind::FACE, name)?;
         self.set(Quantity::AGENT_FACE, &[agent as i32], &[face as f64])
@@ -24,13 +24,13 @@ impl World {
         self.set(Quantity::JOINT_LOCK, &[joint], &[1.0, angle])
     }
 
-    /// Lets a joint go, also one that the scene has locked.
+    /// Releases a joint, also one that the scene has locked.
     pub fn unlock(&mut self, joint: i32) -> Result<()> {
         let angle = self.get(Quantity::JOINT_LOCK, &[joint])?[1];
         self.set(Quantity::JOINT_LOCK, &[joint], &[0.0, angle])
     }
 
-    /// The angle at which a joint is held; None if it is not.
+    /// The angle at which a joint is locked; None if it is not.
     pub fn locked(&self, joint: i32) -> Result<Option<f64>> {
         let lock = self.get(Quantity::JOINT_LOCK, &[joint])?;
         Ok(if lock[0] == 1.0 { Some(lock[1]) } else { None })
@@ -47,8 +47,8 @@ impl World {
         self.set_all(Quantity::WORLD_GRAVITY, &gravity)
     }
 
-    /// How many physics steps had a warning (`MIMO_WARNING_CONTACTS_DROPPED` ..., by their numbers) since the world was
-    /// made. All 0: a clean run.
+    /// The number of physics steps with each warning since the world was made, by the number of the
+    /// [`WarningCode`](crate::WarningCode). All 0: no warnings.
     pub fn warnings(&self) -> Result<Vec<u64>> {
         Ok(self.get_all(Quantity::WARNING_STEPS)?.iter().map(|count| *count as u64).collect())
     }

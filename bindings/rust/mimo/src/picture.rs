@@ -6,7 +6,7 @@ use crate::structs::sized;
 use crate::sys;
 use crate::world::World;
 
-/// Pictures of one camera. What is empty is not drawn.
+/// Pictures of one camera. Empty vectors are not drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Picture {
@@ -19,8 +19,8 @@ pub struct Picture {
 }
 
 impl PictureConfig {
-    /// From a free camera: the point in the middle (m), the distance from it (m), azimuth and elevation (degrees; 0
-    /// looks along x, 90 along y; negative looks down).
+    /// Uses a free camera: the point in the middle of the picture (m), the distance from it (m), azimuth and
+    /// elevation (degrees; azimuth 0 looks along x, 90 along y; a negative elevation looks down).
     pub fn free(&mut self, look_at: [f64; 3], distance: f64, azimuth: f64, elevation: f64) -> &mut Self {
         self.camera = None;
         self.raw.look_at = look_at;
@@ -58,7 +58,7 @@ impl Picture {
     }
 }
 
-/// NULL for what is empty.
+/// NULL for an empty vector.
 fn start<T>(values: &mut [T]) -> *mut T {
     if values.is_empty() {
         return std::ptr::null_mut();
@@ -74,15 +74,15 @@ impl World {
         Ok(picture)
     }
 
-    /// The same into memory that is there, of [`PictureConfig::new_picture`].
+    /// The same into existing memory, made by [`PictureConfig::new_picture`].
     pub fn render_into(&mut self, config: &PictureConfig, picture: &mut Picture) -> Result<()> {
         config
             .with_raw(|config| check(unsafe { sys::mimo_env_render(self.handle(), config, &picture.raw()) }))
     }
 
-    /// Where points of the world (m) lie in the picture that [`render`](Self::render) draws of this state: pixels to the
-    /// right of its left edge, pixels below its upper edge, and depth along the camera's axis, m. What has no depth above
-    /// 0 is behind the camera, and its pixels mean nothing.
+    /// The positions of points of the world (m) in the picture that [`render`](Self::render) draws of this
+    /// state: pixels from the left edge, pixels from the upper edge, and depth along the camera's axis, m. A
+    /// point whose depth is not above 0 is behind the camera, and its pixels have no meaning.
     pub fn project(&self, config: &PictureConfig, points: &[[f64; 3]]) -> Result<Vec<[f64; 3]>> {
         let mut pixels = vec![[0.0; 3]; points.len()];
         let (from, to) = (points.as_ptr().cast(), pixels.as_mut_ptr().cast());

@@ -1,4 +1,4 @@
-//! Recordings: runs in HDF5 files, written while they happen, and played again.
+//! Recordings of runs in HDF5 files, and their replay.
 use crate::block::{memory, Block};
 use crate::configs::RecorderConfig;
 use crate::error::{c_string, check, Result};
@@ -10,15 +10,17 @@ use crate::world::World;
 use std::os::raw::c_void;
 use std::ptr::{null, null_mut, NonNull};
 
-/// Records all steps of a world, also after that was moved, until this is closed or dropped, or the world is. It is
-/// neither `Send` nor `Sync`: closing needs the world for itself, so both stay on one thread.
+/// Records all steps of a world, also after the world was moved, until the recorder or the world is closed or
+/// dropped. A recorder is neither `Send` nor `Sync`: closing it needs the world alone, so both stay on one
+/// thread.
 #[derive(Debug)]
 pub struct Recorder {
     handle: Option<NonNull<sys::mimo_recorder>>,
 }
 
 impl Recorder {
-    /// Records a world from now on. A recording that is there stays, and is an error, unless the config says otherwise.
+    /// Records a world from now on. If the file exists, this is an error, unless the config says
+    /// [`replace`](RecorderConfig::replace).
     pub fn open(world: &mut World, path: &str, config: &RecorderConfig) -> Result<Recorder> {
         let path = c_string(path)?;
         let mut handle = null_mut();
@@ -32,12 +34,12 @@ impl Recorder {
         self.handle.map_or(null_mut(), |handle| handle.as_ptr())
     }
 
-    /// Puts everything on its way to the disk now.
+    /// Writes everything to the file now.
     pub fn flush(&mut self) -> Result<()> {
         check(unsafe { sys::mimo_recorder_flush(self.handle()) })
     }
 
-    /// Keeps the last state and closes the file; tells what could not be written.
+    /// Writes the last state and closes the file; an error says what could not be written.
     pub fn close(mut self) -> Result<()> {
         let status = unsafe { sys::mimo_recorder_close(self.handle()) };
         self.handle = None;
@@ -51,17 +53,18 @@ impl Drop for Recorder {
     }
 }
 
-/// A recording that is read, and played again in a world like the one that was recorded.
+/// A recording that is read, and replayed in a world like the recorded one.
 #[derive(Debug)]
 pub struct Recording {
     handle: NonNull<sys::mimo_recording>,
 }
 
-// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+// `&self` methods call functions whose handle is const, `&mut self` methods call the others: the header's
+// rule.
 unsafe impl Send for Recording {}
 unsafe impl Sync for Recording {}
 
-/// Numbers that recordings consist of.
+/// Types of numbers in recordings.
 pub trait Recorded: Copy + Default + private::Sealed {}
 macro_rules! recorded {
     ($($number:ty)*) => { $(impl private::Sealed for $number {} impl Recorded for $number {})* };
@@ -72,7 +75,7 @@ mod private {
 }
 
 impl Recording {
-    /// Opens a recording; `hdf5` is the path of the HDF5 library, where it is not the system's.
+    /// Opens a recording. `hdf5` is the path of the HDF5 library; None: the system's.
     pub fn open(path: &str, hdf5: Option<&str>) -> Result<Recording> {
         let (path, hdf5) = (c_string(path)?, hdf5.map(c_string).transpose()?);
         let mut handle = null_mut();
@@ -84,27 +87,27 @@ impl Recording {
         self.handle.as_ptr()
     }
 
-    /// What it holds.
+    /// Its contents.
     pub fn info(&self) -> Result<RecordingInfo> {
         Ok(RecordingInfo::of(&described(|info| unsafe {
             sys::mimo_recording_describe(self.handle(), info)
         })?))
     }
 
-    /// How many rows a dataset has, and their length in bytes.
+    /// The number of rows of a dataset, and their length in bytes.
     pub fn size(&self, dataset: &str) -> Result<(usize, usize)> {
         let (name, mut rows, mut bytes) = (c_string(dataset)?, 0, 0);
         check(unsafe { sys::mimo_recording_size(self.handle(), name.as_ptr(), &mut rows, &mut bytes) })?;
         Ok((rows, bytes))
     }
 
-    /// Rows of a dataset, one behind the other, as numbers of the type that they have in the file: actions and most
-    /// fields `f32`, joints and rewards `f64`.
+    /// Rows of a dataset, one after the other, as numbers of the type in the file: `f32` for actions and most
+    /// fields, `f64` for joints and rewards.
     pub fn read<T: Recorded>(&self, dataset: &str, first: usize, rows: usize) -> Result<Vec<T>> {
         let (there, row_bytes) = self.size(dataset)?;
         let bytes = rows.saturating_mul(row_bytes);
         let name = c_string(dataset)?;
-        // The library says what is wrong with rows that are not there, before there is memory for them.
+        // For rows that do not exist the library returns the error, before memory is allocated.
         let known = first <= there && rows <= there - first;
         let mut values = vec![T::default(); if known { bytes / std::mem::size_of::<T>() } else { 0 }];
         let to = if values.is_empty() { null_mut() } else { values.as_mut_ptr() as *mut c_void };
@@ -113,8 +116,8 @@ impl Recording {
         Ok(values)
     }
 
-    /// Loads the last kept state that is not later than a step, and gives that state's step. Without `compare_fields`
-    /// the world may sense otherwise than the recorded one. Infants become as old as they were.
+    /// Loads the last kept state that is not later than a step, and returns that state's step. Without
+    /// `compare_fields` the world's senses may differ from the recorded ones. Infants get their recorded age.
     pub fn seek(&mut self, world: &mut World, step: usize, compare_fields: bool) -> Result<usize> {
         let mut at = 0;
         check(unsafe {
@@ -123,7 +126,7 @@ impl Recording {
         Ok(at)
     }
 
-    /// Plays the next step, in a world of one agent, and compares what comes of it with the recording.
+    /// Replays the next step in a world of one agent, and compares the result with the recording.
     pub fn step(&mut self, world: &mut World, block: Option<&mut Block>) -> Result<Step> {
         let mut step = Step::new();
         let raw = step.raw();
@@ -131,7 +134,7 @@ impl Recording {
         Ok(step)
     }
 
-    /// Plays all that is left without results, so with any number of agents.
+    /// Replays all remaining steps without results, so with any number of agents.
     pub fn play(&mut self, world: &mut World) -> Result<ReplayReport> {
         let steps = self.info()?.steps;
         while self.report()?.next < steps {
@@ -150,7 +153,7 @@ impl Recording {
         check(unsafe { sys::mimo_recording_step(self.handle(), world.handle(), bytes, count, results) })
     }
 
-    /// What was compared since the last seek.
+    /// The result of all comparisons since the last seek.
     pub fn report(&self) -> Result<ReplayReport> {
         Ok(ReplayReport::of(&described(|report| unsafe {
             sys::mimo_recording_report(self.handle(), report)

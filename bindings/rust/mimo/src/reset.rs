@@ -6,7 +6,7 @@ use crate::structs::sized;
 use crate::sys;
 use std::ptr::null;
 
-/// How an episode starts: the random numbers go on, unless a seed is given.
+/// How an episode starts. Without a seed the random numbers continue.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Reset<'a> {
     seed: Option<u64>,
@@ -14,17 +14,17 @@ pub struct Reset<'a> {
 }
 
 impl<'a> Reset<'a> {
-    /// The random numbers go on.
+    /// Without a seed: the random numbers continue.
     pub fn new() -> Reset<'a> {
         Reset::default()
     }
 
-    /// The random numbers start anew from this number.
+    /// The random numbers restart from this seed.
     pub fn seed(self, seed: u64) -> Reset<'a> {
         Reset { seed: Some(seed), ..self }
     }
 
-    /// What infants become: one for all of the world, or one for each; None stays as it is.
+    /// New ages: one for all infants of the world, or one for each; None keeps the age.
     pub fn ages(self, ages: &'a [Option<Growth>]) -> Reset<'a> {
         Reset { ages, ..self }
     }
@@ -37,7 +37,8 @@ impl<'a> Reset<'a> {
     }
 }
 
-/// Which worlds of a batch start an episode, and how: all, with their own random numbers, unless told otherwise.
+/// Which worlds of a batch start an episode, and how. By default all worlds do, and their random numbers
+/// continue.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BatchReset<'a> {
     seeds: Option<&'a [u64]>,
@@ -46,7 +47,7 @@ pub struct BatchReset<'a> {
 }
 
 impl<'a> BatchReset<'a> {
-    /// All worlds, with their own random numbers.
+    /// All worlds; their random numbers continue.
     pub fn new() -> BatchReset<'a> {
         BatchReset::default()
     }
@@ -56,17 +57,17 @@ impl<'a> BatchReset<'a> {
         BatchReset { seeds: Some(seeds), ..self }
     }
 
-    /// Only the worlds whose entry is true; the others, and their blocks, stay as they are.
+    /// Only the worlds whose entry is true. The others, and their blocks, do not change.
     pub fn mask(self, mask: &'a [bool]) -> BatchReset<'a> {
         BatchReset { mask: Some(mask), ..self }
     }
 
-    /// What the infants of each world become; None stays as it is.
+    /// A new age for the infants of each world; None keeps the age.
     pub fn ages(self, ages: &'a [Option<Growth>]) -> BatchReset<'a> {
         BatchReset { ages: Some(ages), ..self }
     }
 
-    // C knows one length for all.
+    // C has one length for all three.
     fn worlds(&self) -> Result<usize> {
         let lengths = [self.seeds.map(<[u64]>::len), self.mask.map(<[bool]>::len), self.ages.map(<[_]>::len)];
         let mut given = lengths.into_iter().flatten();
@@ -91,12 +92,12 @@ impl<'a> BatchReset<'a> {
     }
 }
 
-/// Growths as C has them; NULL for those that stay.
+/// Pointers for C; NULL for an age that stays.
 fn pointers(ages: &[Option<Growth>]) -> Vec<*const sys::mimo_growth> {
     ages.iter().map(Growth::pointer).collect()
 }
 
-/// A mask as C has it, and its length. `bool` is a byte of 0 or 1.
+/// A mask for C, and its length. `bool` is a byte of 0 or 1.
 pub(crate) fn chosen(mask: Option<&[bool]>) -> (*const u8, usize) {
     mask.map_or((null(), 0), |mask| (mask.as_ptr().cast(), mask.len()))
 }

@@ -1,4 +1,4 @@
-//! What steps give, beside observations.
+//! The results of steps, except observations.
 use crate::block::{memory, Block};
 use crate::constants::{Outcome, Status};
 use crate::error::{Error, Result};
@@ -6,7 +6,7 @@ use crate::layout::Layout;
 use crate::structs::sized;
 use crate::sys;
 
-/// What a step gave a single agent.
+/// The result of a step for a single agent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Step {
@@ -38,16 +38,16 @@ impl Step {
     }
 }
 
-/// What a step gave all agents of a world, and what their rewards consist of. Made by
-/// [`World::new_results`](crate::World::new_results), overwritten by each step.
+/// The results of a step for all agents of a world, with the terms of their rewards.
+/// [`World::new_results`](crate::World::new_results) makes it, and each step overwrites it.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Results {
     /// One for each agent.
     pub reward: Vec<f64>,
-    /// Whose episode has ended by success or failure.
+    /// Whether the agent's episode has ended by success or failure.
     pub terminated: Vec<bool>,
-    /// Whose episode is cut off: by its step limit, or by its task.
+    /// Whether the agent's episode is cut off: by its step limit, or by its task.
     pub truncated: Vec<bool>,
     /// Success, failure or neither.
     pub outcome: Vec<Outcome>,
@@ -67,7 +67,7 @@ impl Results {
         }
     }
 
-    /// For the library, which writes to it as long as it lies where it is.
+    /// For the library, which writes to these vectors. They must not move until then.
     pub(crate) fn raw(&mut self) -> Result<sys::mimo_env_results> {
         let agents = self.reward.len();
         same_length(agents, &[self.terminated.len(), self.truncated.len(), self.outcome.len()])?;
@@ -84,28 +84,29 @@ impl Results {
     }
 }
 
-/// What a step of a batch gave, beside the observations. Made by [`Batch::new_results`](crate::Batch::new_results),
-/// overwritten by each step.
+/// The results of a step of a batch, except the observations.
+/// [`Batch::new_results`](crate::Batch::new_results) makes it, and each step overwrites it.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct BatchResults {
     /// Rewards, worlds x agents.
     pub reward: Vec<f64>,
-    /// Where an episode has ended by success or failure, worlds x agents.
+    /// Whether an episode has ended by success or failure, worlds x agents.
     pub terminated: Vec<bool>,
-    /// Where an episode is cut off: by its step limit, or by its task, worlds x agents.
+    /// Whether an episode is cut off: by its step limit, or by its task, worlds x agents.
     pub truncated: Vec<bool>,
     /// Success, failure or neither, worlds x agents.
     pub outcome: Vec<Outcome>,
     /// The terms that rewards are the sums of, worlds x [`Layout::terms`].
     pub terms: Vec<f64>,
-    /// Whether a world's simulation failed, also where it was restarted.
+    /// The status of each world's simulation, also if a failed world was restarted.
     pub status: Vec<Status>,
-    /// Which worlds this step started anew: their observation is the first of an episode.
+    /// Whether this step started a new episode in a world: its observation is then the first of the episode.
     pub was_reset: Vec<bool>,
-    /// Of which worlds the final block was written.
+    /// Whether the final block of a world was written.
     pub final_written: Vec<bool>,
-    /// With [`Autoreset::SAME_STEP`](crate::Autoreset::SAME_STEP): last observations of the episodes that ended. None: not wanted.
+    /// With [`Autoreset::SAME_STEP`](crate::Autoreset::SAME_STEP): the last observations of the episodes that
+    /// ended. None: not written.
     pub final_blocks: Option<Block>,
 }
 
@@ -125,7 +126,7 @@ impl BatchResults {
         }
     }
 
-    /// For the library, which writes to it as long as it lies where it is.
+    /// For the library, which writes to these vectors. They must not move until then.
     pub(crate) fn raw(&mut self) -> Result<sys::mimo_batch_results> {
         let (agents, worlds) = (self.reward.len(), self.status.len());
         same_length(agents, &[self.terminated.len(), self.truncated.len(), self.outcome.len()])?;
@@ -150,7 +151,7 @@ impl BatchResults {
     }
 }
 
-/// C knows one length for each group of arrays.
+/// C has one length for each group of arrays.
 fn same_length(expected: usize, lengths: &[usize]) -> Result<()> {
     if lengths.iter().all(|&length| length == expected) {
         return Ok(());
@@ -163,7 +164,7 @@ fn outcomes(outcomes: &mut [Outcome]) -> *mut i32 {
     outcomes.as_mut_ptr().cast()
 }
 
-/// The library writes 0 and 1, of which bools are made.
+/// The library writes 0 and 1, which are valid bools.
 fn flags(flags: &mut [bool]) -> *mut u8 {
     flags.as_mut_ptr().cast()
 }

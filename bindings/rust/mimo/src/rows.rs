@@ -1,4 +1,4 @@
-//! Numbers that come in rows of a fixed length, one behind the other.
+//! Rows of a fixed length in a flat slice.
 
 /// The i-th row.
 pub(crate) fn row<const N: usize>(values: &[f64], i: usize) -> [f64; N] {

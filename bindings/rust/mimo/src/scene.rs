@@ -8,17 +8,18 @@ use crate::sys;
 use crate::task::{self, Shared, Task};
 use std::ptr::{null, null_mut, NonNull};
 
-/// A description of what is to be simulated. Worlds that were made of it live on without it.
+/// Describes a simulation. Worlds made from it do not need it any more.
 #[derive(Debug)]
 pub struct Scene {
     handle: NonNull<sys::mimo_scene>,
-    // Worlds made of it take a share.
+    // Worlds made from it share it.
     pub(crate) task: Option<Shared>,
     // Outlives the handle, which points to it.
     _log: Option<Log>,
 }
 
-// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+// `&self` methods call functions whose handle is const, `&mut self` methods call the others: the header's
+// rule.
 unsafe impl Send for Scene {}
 unsafe impl Sync for Scene {}
 
@@ -55,7 +56,7 @@ impl Scene {
         self.handle.as_ptr()
     }
 
-    /// What the scene gives its infant by itself.
+    /// The scene's defaults for its infant.
     pub fn default_agent(&self) -> Result<AgentConfig> {
         let mut raw = defaults(sys::mimo_agent_config_init)?;
         let size = std::mem::size_of_val(&raw);
@@ -63,15 +64,15 @@ impl Scene {
         AgentConfig::of(raw)
     }
 
-    /// Adds an infant and gives its number, 0 for the first.
+    /// Adds an infant and returns its number, 0 for the first.
     pub fn add_agent(&mut self, agent: &AgentConfig) -> Result<usize> {
         let mut number = 0;
         agent.with_raw(|raw| check(unsafe { sys::mimo_scene_add_agent(self.handle(), raw, &mut number) }))?;
         Ok(number)
     }
 
-    /// Adds all infants that the scene names, each at a place of its own; in a scene that names none a single one.
-    /// `agent` is what they have in common; None: the scene's own. Gives how many they are.
+    /// Adds all infants that the scene names, each at its own place; a scene that names none gets one infant.
+    /// `agent` has their common config; None: the scene's defaults. Returns the number of infants.
     pub fn add_agents(&mut self, agent: Option<&AgentConfig>) -> Result<usize> {
         let mut count = 0;
         let mut add = |raw| check(unsafe { sys::mimo_scene_add_agents(self.handle(), raw, &mut count) });
@@ -82,7 +83,7 @@ impl Scene {
         Ok(count)
     }
 
-    /// Gives a scene that has none a room, see [`rooms`](crate::rooms).
+    /// Gives a room to a scene that has none, see [`rooms`](crate::rooms).
     pub fn set_room(&mut self, name: &str) -> Result<()> {
         let name = c_string(name)?;
         check(unsafe { sys::mimo_scene_set_room(self.handle(), name.as_ptr()) })
@@ -93,8 +94,8 @@ impl Scene {
         model.with_raw(|raw| check(unsafe { sys::mimo_scene_add_model(self.handle(), raw) }))
     }
 
-    /// Fastens a body softly to another one, or to the world: in a pose (position, quaternion w x y z) in its frame, or as
-    /// they are to each other where the scene starts.
+    /// Fastens a body softly to another body, or to the world, in a pose (position, quaternion w x y z) in
+    /// the other's frame. Without a pose the bodies keep their relative pose at the start.
     pub fn weld(&mut self, body: &str, other: Option<&str>, pose: Option<&[f64; 7]>) -> Result<()> {
         let (body, other) = (c_string(body)?, other.map(c_string).transpose()?);
         let pose = pose.map_or(null(), |pose| pose.as_ptr());
@@ -118,7 +119,7 @@ impl Scene {
         object.with_raw(|raw| check(unsafe { sys::mimo_scene_add_object(self.handle(), raw) }))
     }
 
-    /// Has an agent's proprioception read this hinge or slide; the first call takes away all others.
+    /// Makes an agent's proprioception read this hinge or slide. The first call removes all other joints.
     pub fn read_joint(&mut self, agent: usize, joint: &str) -> Result<()> {
         let joint = c_string(joint)?;
         check(unsafe { sys::mimo_scene_read_joint(self.handle(), agent, joint.as_ptr()) })
@@ -130,32 +131,32 @@ impl Scene {
         check(unsafe { sys::mimo_scene_limit_sense(self.handle(), agent, path.as_ptr(), &limits) })
     }
 
-    /// Limits the way of an agent's actions to a motor ("act:left_elbow"), to those of a part of its body ("left_arm"),
-    /// or, with "", to all; for worlds made from now on.
+    /// Limits a motor of an agent ("act:left_elbow"), the motors of a part of its body ("left_arm") or, with
+    /// "", all motors, for worlds made from now on.
     pub fn limit_motor(&mut self, agent: usize, path: &str, limits: &Limits) -> Result<()> {
         let (path, limits) = (c_string(path)?, limits.raw()?);
         check(unsafe { sys::mimo_scene_limit_motor(self.handle(), agent, path.as_ptr(), &limits) })
     }
 
-    /// Gives an agent such eyes and nerves, for worlds made from now on; with None it is as its growth says. Limits take
-    /// the place of these delays.
+    /// Sets the maturity of an agent's eyes and nerves, for worlds made from now on; None: the maturity that
+    /// follows from its growth. Limits replace these delays.
     pub fn set_maturity(&mut self, agent: usize, maturity: Option<&Maturity>) -> Result<()> {
         let raw = maturity.map(Maturity::raw).transpose()?;
         let maturity = raw.as_ref().map_or(null(), |raw| raw as *const _);
         check(unsafe { sys::mimo_scene_set_maturity(self.handle(), agent, maturity) })
     }
 
-    /// Has a camera observed; its fields come after those of all infants.
+    /// Adds a camera to the observation. Its fields come after the fields of all infants.
     pub fn add_camera(&mut self, camera: &CameraConfig) -> Result<()> {
         camera.with_raw(|raw| check(unsafe { sys::mimo_scene_add_camera(self.handle(), raw) }))
     }
 
-    /// Has something else observed; its field comes after those of all infants and cameras.
+    /// Adds a field to the observation. It comes after the fields of all infants and cameras.
     pub fn add_field(&mut self, field: &FieldConfig) -> Result<()> {
         field.with_raw(|raw| check(unsafe { sys::mimo_scene_add_field(self.handle(), raw) }))
     }
 
-    /// Gives all worlds made from now on a task of one's own, in place of the scene's.
+    /// Gives your own task to all worlds made from now on, in place of the scene's task.
     pub fn set_task(&mut self, task: impl Task + 'static) -> Result<()> {
         let handle = self.handle();
         let tell = |raw: &sys::mimo_task| check(unsafe { sys::mimo_scene_set_task(handle, raw) });
@@ -163,7 +164,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Takes it away again.
+    /// Removes your own task again.
     pub fn clear_task(&mut self) -> Result<()> {
         check(unsafe { sys::mimo_scene_set_task(self.handle(), null()) })?;
         self.task = None;
@@ -176,27 +177,28 @@ impl Scene {
         check(unsafe { sys::mimo_scene_set_touch(self.handle(), agent, body.as_ptr(), spacing) })
     }
 
-    /// Sets how late an agent feels a part of its body, "left_hand", by touch and by its joints, seconds; None: all of it. It
-    /// counts instead of what follows from its age.
+    /// Sets the delay, in seconds, by which an agent feels a part of its body, "left_hand", by touch and by
+    /// its joints; None: the whole body. It replaces the delay that follows from its age.
     pub fn set_sensory_delay(&mut self, agent: usize, body: Option<&str>, seconds: f64) -> Result<()> {
         let body = body.map(c_string).transpose()?;
         let name = body.as_ref().map_or(null(), |name| name.as_ptr());
         check(unsafe { sys::mimo_scene_set_sensory_delay(self.handle(), agent, name, seconds) })
     }
 
-    /// Sets how warm the room is, -40 to 80 degrees Celsius: its air, and all that has no temperature of its own. Infants
-    /// are as warm as skin in it.
+    /// Sets the temperature of the room, -40 to 80 degrees Celsius: of its air and of everything without a
+    /// temperature of its own. Infants have the temperature of skin in such a room.
     pub fn set_room_temperature(&mut self, celsius: f64) -> Result<()> {
         check(unsafe { sys::mimo_scene_set_room_temperature(self.handle(), celsius) })
     }
 
-    /// Sets how warm a body of the model is, "cup", with all that hangs on it, degrees Celsius; it stays so.
+    /// Sets the temperature of a body of the model, "cup", and of its children, degrees Celsius. It stays
+    /// constant.
     pub fn set_temperature(&mut self, body: &str, celsius: f64) -> Result<()> {
         let body = c_string(body)?;
         check(unsafe { sys::mimo_scene_set_temperature(self.handle(), body.as_ptr(), celsius) })
     }
 
-    /// Sets what a body of the model is made of, with all that hangs on it: one of [`materials`](crate::materials).
+    /// Sets the material of a body of the model and of its children: one of [`materials`](crate::materials).
     pub fn set_material(&mut self, body: &str, material: &str) -> Result<()> {
         let (body, material) = (c_string(body)?, c_string(material)?);
         check(unsafe { sys::mimo_scene_set_material(self.handle(), body.as_ptr(), material.as_ptr()) })
@@ -208,7 +210,7 @@ impl Scene {
         check(unsafe { sys::mimo_scene_set_parameter(self.handle(), name.as_ptr(), value) })
     }
 
-    /// The value that a parameter has in this scene.
+    /// The value of a parameter in this scene.
     pub fn parameter(&self, name: &str) -> Result<f64> {
         let name = c_string(name)?;
         let mut value = 0.0;
@@ -216,12 +218,14 @@ impl Scene {
         Ok(value)
     }
 
-    /// How many bodies can play at once (4 unless this is called), and how long a sound can wait at each (4 s).
+    /// Sets how many bodies can play at once (default 4), and how many seconds of sound each can hold
+    /// (default 4).
     pub fn set_sources(&mut self, count: usize, seconds: f64) -> Result<()> {
         check(unsafe { sys::mimo_scene_set_sources(self.handle(), count, seconds) })
     }
 
-    /// From where a body plays and whereto, in its frame: 0 alike to all sides, 0.5 a cardioid, 1 a figure of eight.
+    /// Sets the place from which a body plays, and the axis and directivity of its sound, in its frame.
+    /// Directivity 0: equal in all directions, 0.5: a cardioid, 1: a figure of eight.
     pub fn direct_source(
         &mut self,
         body: &str,
@@ -252,8 +256,8 @@ impl Scene {
         Ok(text(bytes.as_ptr() as *const _))
     }
 
-    /// Writes the scene as `scene.xml`, with its textures and meshes in `assets`, for any program with MuJoCo. The
-    /// folder is made where it is not there; files that are there with other content are not overwritten.
+    /// Writes the scene as `scene.xml`, with its textures and meshes in `assets`, for any program with
+    /// MuJoCo. Creates the folder if needed. Existing files with other content are not overwritten.
     pub fn save(&self, folder: &str) -> Result<()> {
         let folder = c_string(folder)?;
         check(unsafe { sys::mimo_scene_save(self.handle(), folder.as_ptr()) })

@@ -1,4 +1,4 @@
-//! Senses on a simulation that is not this library's.
+//! Senses on a simulation of your own.
 use crate::block::{memory, Block};
 use crate::configs::SensesConfig;
 use crate::error::{c_string, check, Result};
@@ -11,7 +11,7 @@ use crate::sys;
 use std::os::raw::c_void;
 use std::ptr::{null_mut, NonNull};
 
-/// Senses that look at a host's own MuJoCo model, and never change it.
+/// Senses on your own MuJoCo model, which they never change.
 #[derive(Debug)]
 pub struct Senses {
     handle: NonNull<sys::mimo_senses>,
@@ -19,7 +19,8 @@ pub struct Senses {
     _log: Option<Log>,
 }
 
-// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+// `&self` methods call functions whose handle is const, `&mut self` methods call the others: the header's
+// rule.
 unsafe impl Send for Senses {}
 unsafe impl Sync for Senses {}
 
@@ -40,7 +41,7 @@ impl Senses {
         self.handle.as_ptr()
     }
 
-    /// What is observed. There are no actions and no terms in it.
+    /// Describes the observations. It has no actions and no terms.
     pub fn layout(&self) -> Result<Layout<'_>> {
         unsafe { Layout::of(|layout| sys::mimo_senses_layout(self.handle(), layout)) }
     }
@@ -50,8 +51,8 @@ impl Senses {
         self.layout()?.new_blocks(1)
     }
 
-    /// Starts an episode: nothing was sensed before what the data hold. Noise follows from the seed; without one it goes
-    /// on from the last episode's.
+    /// Starts an episode: delayed senses forget everything before `data`. Noise follows from the seed;
+    /// without a seed it continues from the last episode.
     ///
     /// # Safety
     /// As [`Senses::observe`].
@@ -59,7 +60,7 @@ impl Senses {
         how.with_raw(|how| check(sys::mimo_senses_reset(self.handle(), data, how)))
     }
 
-    /// One step later, once after each step of the host: senses with a delay take in what the data hold.
+    /// Call it once after each step of your simulation: senses with a delay remember the values of `data`.
     ///
     /// # Safety
     /// As [`Senses::observe`].
@@ -67,8 +68,8 @@ impl Senses {
         check(sys::mimo_senses_advance(self.handle(), data))
     }
 
-    /// Dynamic and static drive of the spindles of both muscles of each motor, Hz, four numbers a motor, until an episode
-    /// starts. None: all motors that have spindles.
+    /// Sets the dynamic and static drive of the spindles of both muscles of each motor, Hz, four numbers per
+    /// motor, until an episode starts. None: all motors that have spindles.
     pub fn drive_spindles(&mut self, actuators: Option<&[i32]>, rates: &[f64]) -> Result<()> {
         let (ids, count) = actuators.map_or((std::ptr::null(), 0), |ids| (ids.as_ptr(), ids.len()));
         check(unsafe {
@@ -76,7 +77,7 @@ impl Senses {
         })
     }
 
-    /// Lets a body play samples, Pa at 1 m, from the next [`advance`](Self::advance) on: see
+    /// Makes a body play samples, Pa at 1 m, from the next [`advance`](Self::advance) on: see
     /// [`World::play`](crate::World::play).
     pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {
         let body = c_string(body)?;
@@ -85,7 +86,7 @@ impl Senses {
         })
     }
 
-    /// What the senses remember, as bytes.
+    /// The memories of the senses, as bytes.
     pub fn save(&self) -> Result<Vec<u8>> {
         let mut bytes = 0;
         check(unsafe { sys::mimo_senses_state_size(self.handle(), &mut bytes) })?;
@@ -96,7 +97,7 @@ impl Senses {
         Ok(state)
     }
 
-    /// Goes on from what other senses of such a model remembered; what the state lacks starts fresh.
+    /// Loads the memories of other senses of such a model. Memories that the state lacks start fresh.
     pub fn load(&mut self, state: &[u8]) -> Result<LoadReport> {
         let from = state.as_ptr() as *const c_void;
         LoadReport::of(|report| unsafe {
@@ -104,7 +105,7 @@ impl Senses {
         })
     }
 
-    /// Senses what the data hold, which stay as they are; what is late comes out of memory, which stays as it is, too.
+    /// Observes the state in `data`. Delayed values come from memory. Neither changes.
     ///
     /// # Safety
     /// `data` is an mjData of the model that the senses are attached to, and nobody writes to it meanwhile.

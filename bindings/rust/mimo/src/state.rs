@@ -1,4 +1,4 @@
-//! States of worlds, and what they do not hold of the world that loads them.
+//! States of worlds.
 use crate::error::{check, text, Result};
 use crate::structs::described;
 use crate::sys;
@@ -9,14 +9,14 @@ use std::os::raw::{c_char, c_void};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LoadReport {
-    /// What the state did not hold of senses and motors with a delay: they start fresh.
+    /// Memories of delayed senses and motors that the state lacked: they start fresh.
     pub fresh: Vec<String>,
-    /// What the state holds, and nobody here has.
+    /// Memories in the state that this world does not have.
     pub ignored: Vec<String>,
 }
 
 impl LoadReport {
-    /// Of a call that loads.
+    /// The report of a call that loads a state.
     pub(crate) fn of(
         load: impl FnOnce(*mut sys::mimo_load_report) -> sys::mimo_status,
     ) -> Result<LoadReport> {
@@ -35,8 +35,8 @@ impl World {
         Ok(state)
     }
 
-    /// Goes on from a state of a world of the same model, agents and task, exactly as that one did. What it lacks of a
-    /// delay starts fresh.
+    /// Loads a state of a world of the same model, agents and task, and continues exactly as that world did.
+    /// Memories of delays that the state lacks start fresh.
     pub fn load(&mut self, state: &[u8]) -> Result<LoadReport> {
         let from = state.as_ptr() as *const c_void;
         LoadReport::of(|report| unsafe { sys::mimo_env_state_load(self.handle(), from, state.len(), report) })

@@ -1,4 +1,4 @@
-//! How a world goes on.
+//! Steps of a world.
 use crate::block::{memory, Block};
 use crate::constants::Quantity;
 use crate::error::{c_string, check, text, Result};
@@ -9,15 +9,15 @@ use crate::world::World;
 use std::ptr::null;
 
 impl World {
-    /// Starts an episode; without a block nothing is observed.
+    /// Starts an episode. Without a block the senses are skipped.
     pub fn reset(&mut self, how: Reset, block: Option<&mut Block>) -> Result<()> {
         let (bytes, count) = memory(block);
         how.with_raw(|how| check(unsafe { sys::mimo_env_reset(self.handle(), how, bytes, count) }))
     }
 
-    /// Goes one step on, in a world of one agent. No actions leave the controls as they are; actions are clipped to
-    /// their bounds, NaN is refused. Without a block the senses are skipped. Where there are several agents, or terms of
-    /// the reward are wanted, use [`step_into`](Self::step_into).
+    /// Makes one step in a world of one agent. Actions are clipped to their bounds, NaN is an error; without
+    /// actions the controls do not change. Without a block the senses are skipped. For several agents, or the
+    /// terms of the reward, use [`step_into`](Self::step_into).
     pub fn step(&mut self, action: &[f32], block: Option<&mut Block>) -> Result<Step> {
         let mut step = Step::new();
         let raw = step.raw();
@@ -25,7 +25,7 @@ impl World {
         Ok(step)
     }
 
-    /// Goes one step on. `action` holds the actions of all agents, `results` receives what they got.
+    /// Makes one step. `action` holds the actions of all agents, `results` receives their rewards and flags.
     pub fn step_into(
         &mut self,
         action: &[f32],
@@ -47,7 +47,7 @@ impl World {
         check(unsafe { sys::mimo_env_step(self.handle(), values, action.len(), bytes, count, results) })
     }
 
-    /// The observation of the current state, without changing the trajectory.
+    /// Observes the current state, without changing the trajectory.
     pub fn observe(&mut self, block: &mut Block) -> Result<()> {
         let (bytes, count) = memory(Some(block));
         check(unsafe { sys::mimo_env_observe(self.handle(), bytes, count) })
@@ -67,7 +67,7 @@ impl World {
         Ok(text(name))
     }
 
-    /// Physics steps in a step.
+    /// Number of physics steps in a step.
     pub fn frame_skip(&self) -> Result<u32> {
         let mut steps = 0;
         check(unsafe { sys::mimo_env_frame_skip(self.handle(), &mut steps) })?;
@@ -81,13 +81,14 @@ impl World {
         Ok(seconds)
     }
 
-    /// Bare physics: so many physics steps with the controls as they are, without senses or task.
+    /// Makes a number of physics steps with unchanged controls, without senses or task.
     pub fn physics_step(&mut self, count: usize) -> Result<()> {
         check(unsafe { sys::mimo_env_physics_step(self.handle(), count) })
     }
 
-    /// One step of a movement that is known: frame_skip x positions of all joints, at the end of each physics step. The
-    /// senses answer; gives frame_skip x the forces that it takes, one for each degree of freedom, N or Nm.
+    /// Makes one step of a known movement: `positions` has frame_skip x the positions of all joints, at the
+    /// end of each physics step. The senses respond as in any step. Returns frame_skip x the forces that the
+    /// movement takes, one for each degree of freedom, N or Nm.
     pub fn follow(&mut self, positions: &[f64], block: Option<&mut Block>) -> Result<Vec<f64>> {
         let degrees = self.get_all(Quantity::JOINT_VELOCITY)?.len();
         let mut forces = vec![0.0; self.frame_skip()? as usize * degrees];
@@ -104,8 +105,9 @@ impl World {
         Ok(forces)
     }
 
-    /// Lets a body play samples, Pa at 1 m, from the next physics step on, after what it plays already; without any it
-    /// ends. The rate is [`Field::sample_rate`](crate::Field::sample_rate) of the ears.
+    /// Makes a body play samples, Pa at 1 m, from the next physics step on, after the sound that it plays
+    /// already. Without samples the sound stops. The rate is
+    /// [`Field::sample_rate`](crate::Field::sample_rate) of the ears.
     pub fn play(&mut self, body: &str, samples: &[f32], rate: f64) -> Result<()> {
         let body = c_string(body)?;
         check(unsafe {

@@ -1,4 +1,4 @@
-//! The library's structs, which start with their size.
+//! Structs of C, which start with their size.
 use crate::error::{c_string, check, text, Result};
 use crate::sys;
 use std::ffi::CString;
@@ -8,24 +8,24 @@ use std::ptr::null;
 
 type Init<T> = unsafe extern "C" fn(*mut T, usize) -> sys::mimo_status;
 
-/// A struct of the library's that is zero but for its size.
+/// A struct that is zero except for its size.
 pub(crate) fn sized<T>() -> T {
     let mut raw = MaybeUninit::<T>::zeroed();
-    // They start with their size. All in them is numbers and pointers, for which zeros are values too.
+    // The first member is the size. All others are numbers and pointers, for which zeros are valid.
     unsafe {
         raw.as_mut_ptr().cast::<u32>().write(size_of::<T>() as u32);
         raw.assume_init()
     }
 }
 
-/// A struct as its _init function fills it.
+/// A struct with the defaults of its _init function.
 pub(crate) fn defaults<T>(init: Init<T>) -> Result<T> {
     let mut raw = sized();
     check(unsafe { init(&mut raw, size_of::<T>()) })?;
     Ok(raw)
 }
 
-/// A struct as a function of the library's fills it that is told its size.
+/// A struct that a function of the library fills.
 pub(crate) fn described<T>(describe: impl FnOnce(*mut T) -> sys::mimo_status) -> Result<T> {
     let mut raw = sized();
     check(describe(&mut raw))?;

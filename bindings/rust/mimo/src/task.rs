@@ -1,4 +1,4 @@
-//! Tasks of one's own, which run inside reset and step, in a batch on all of its threads.
+//! Your own tasks. They run inside reset and step, in a batch on all of its threads.
 use crate::constants::{FieldType, Outcome, Status};
 use crate::error::{c_string, Result};
 use crate::field::Field;
@@ -12,26 +12,27 @@ use std::os::raw::{c_char, c_void};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::Arc;
 
-/// What a task is told: of whom it is asked, and what happened.
+/// The arguments of a task: the world, the agent, and what happened.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Moment<'a> {
-    /// Number of the world in its batch; 0 for a single one.
+    /// Number of the world in its batch; 0 for a single world.
     pub world: usize,
     /// Number of the infant.
     pub agent: usize,
-    /// Steps since the reset, with this one; 0 in a reset.
+    /// Steps since the reset, including this one; 0 in a reset.
     pub step: u64,
     /// The numbers of [`Task::memory`], of this world and infant. They are 0 at the start of an episode, and part of
     /// the world's state.
     pub memory: &'a mut [f64],
-    /// Values of [`Task::fields`], one field after the other. They are 0 at the start of an episode, then as last left,
-    /// and part of the world's state.
+    /// Values of [`Task::fields`], one field after the other. They are 0 at the start of an episode, keep
+    /// their values between steps, and are part of the world's state.
     pub fields: &'a mut [f32],
-    /// The infant's own actions of this step, within their bounds; None where the step was given none, and in a reset.
+    /// The infant's own actions of this step, within their bounds; None in a step without actions, and in a
+    /// reset.
     pub action: Option<&'a [f32]>,
-    /// The observation of this step, of all infants; None where nobody asks for it, and in a reset. The fields of tasks
-    /// in it are still those of the step before.
+    /// The observation of this step, of all infants; None in a step without a block, and in a reset. Its
+    /// fields of tasks still have the values of the previous step.
     pub block: Option<&'a [u8]>,
 }
 
@@ -47,27 +48,27 @@ impl Moment<'_> {
     }
 }
 
-/// What a task says of a step. Nothing is said at first: no reward, and the episode goes on.
+/// A task's judgement of a step. At first the reward is 0, and the episode continues.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Verdict<'a> {
-    /// The reward of a task without terms; of one with terms it stays 0, for the reward is their sum.
+    /// The reward of a task without terms. With terms it stays 0, because the reward is their sum.
     pub reward: f64,
-    /// One for each of [`Task::terms`].
+    /// One value for each of [`Task::terms`].
     pub terms: &'a mut [f64],
-    /// Success, failure or neither; the former two end the episode.
+    /// Success, failure or neither. Success and failure end the episode.
     pub outcome: Outcome,
-    /// Success or failure does not end the episode.
+    /// Whether the episode continues after success or failure.
     pub goes_on: bool,
-    /// The episode is cut off here.
+    /// Whether the episode is cut off here.
     pub truncated: bool,
 }
 
-/// A field of the observation that a task fills, of single precision: a goal, and what has been reached of it. Each
-/// infant has one of its own.
+/// A field of the observation that a task fills, in single precision: a goal, or what has been achieved of
+/// it. Each infant has its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TaskField {
-    /// "goal"; no other field of the infant has it.
+    /// "goal"; unique among the fields of the infant.
     pub name: String,
     /// Dimensions, C order; none: one number.
     pub shape: Vec<usize>,
@@ -96,15 +97,16 @@ impl TaskField {
     }
 }
 
-/// A task of one's own, for [`Scene::set_task`](crate::Scene::set_task). The worlds of a batch call it at the same time, on
-/// different threads. A panic is caught, and the call that ran the task then fails, as it does for an error, and quotes it.
+/// Your own task, for [`Scene::set_task`](crate::Scene::set_task). The worlds of a batch call it at the same
+/// time, on different threads. If it returns an error or panics, the call that ran it fails and quotes the
+/// error or the panic.
 pub trait Task: Send + Sync {
-    /// How many numbers each world and agent keeps for the task.
+    /// The number of values that each world and agent keeps for the task.
     fn memory(&self) -> usize {
         0
     }
 
-    /// Names of what the reward is the sum of; none: it is one number.
+    /// Names of the terms that add up to the reward; none: the reward is one number.
     fn terms(&self) -> Vec<String> {
         Vec::new()
     }
@@ -114,21 +116,22 @@ pub trait Task: Send + Sync {
         Vec::new()
     }
 
-    /// Prepares an episode, in a world that is at its start. Resets, steps and loading a state are refused here.
+    /// Prepares an episode, in a world at its start. Resets, steps and loading a state fail here.
     fn reset(&self, world: &mut World, moment: &mut Moment) -> Result<()> {
         let _ = (world, moment);
         Ok(())
     }
 
-    /// Judges a step. Positions of bodies are those of the start of the last physics step. What it writes, to place the next
-    /// goal, say, counts from the next step on. Agents are asked in their order.
+    /// Judges a step. Positions of bodies are those of the start of the last physics step. Values that it
+    /// writes, for example to place the next goal, count from the next step on. It is called for the agents
+    /// in their order.
     fn evaluate(&self, world: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()>;
 }
 
-/// What the library keeps a pointer to.
+/// The library keeps a pointer to it.
 pub(crate) struct Kept {
     task: Box<dyn Task>,
-    // As they were when the library was told.
+    // As they were when the library received the task.
     memory: usize,
     terms: usize,
     fields: usize,
@@ -140,10 +143,10 @@ impl fmt::Debug for Kept {
     }
 }
 
-/// Whoever owns a handle made with a task owns a share of it.
+/// The owner of a handle made with a task owns a share of the task.
 pub(crate) type Shared = Arc<Kept>;
 
-/// Hands a task to a function that tells the library, and keeps it.
+/// Passes a task to the library through `tell`, and keeps it.
 pub(crate) fn share(
     task: impl Task + 'static,
     tell: impl FnOnce(&sys::mimo_task) -> Result<()>,
@@ -180,13 +183,13 @@ fn raw_field((field, texts): (&TaskField, &[CString; 3])) -> Result<sys::mimo_ta
 }
 
 /// # Safety
-/// There are as many elements where it points to; NULL is none.
+/// `data` points to `count` elements, or is NULL.
 unsafe fn slice<'a, T>(data: *const T, count: usize) -> Option<&'a [T]> {
     (!data.is_null()).then(|| std::slice::from_raw_parts(data, count))
 }
 
 /// # Safety
-/// The same, and nobody else uses them.
+/// The same, and nobody else uses the elements.
 unsafe fn slice_mut<'a, T>(data: *mut T, count: usize) -> &'a mut [T] {
     if data.is_null() {
         return &mut [];
@@ -195,7 +198,7 @@ unsafe fn slice_mut<'a, T>(data: *mut T, count: usize) -> &'a mut [T] {
 }
 
 /// # Safety
-/// `user` is a task of `share`, and the moment the library's, made for it.
+/// `user` is a task of `share`, and `told` comes from the library.
 unsafe fn parts<'a>(user: *mut c_void, told: *const sys::mimo_task_moment) -> (&'a Kept, Moment<'a>) {
     let (kept, told) = (&*(user as *const Kept), &*told);
     let moment = Moment {
@@ -237,7 +240,7 @@ unsafe extern "C" fn evaluate(
     status
 }
 
-/// A panic must not cross the C frames above.
+/// A panic must not unwind into C.
 fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(())) => sys::MIMO_OK,
@@ -246,13 +249,13 @@ fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
     }
 }
 
-/// The call that runs the task then says why.
+/// Hands the message to the library, for the error of the call that runs the task.
 fn fail(status: Status, message: &str) -> sys::mimo_status {
     let message = c_string(&message.replace('\0', "?")).unwrap_or_default();
     unsafe { sys::mimo_fail(status.raw(), message.as_ptr()) }
 }
 
-/// What a panic said: `panic!` leaves a text of one of two types.
+/// The text of a panic: `panic!` leaves one of two types.
 fn reason(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<&str>().copied();
     text.or_else(|| panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given")

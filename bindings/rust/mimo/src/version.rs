@@ -1,4 +1,4 @@
-//! Versions of what is loaded.
+//! Versions of the loaded library.
 use crate::error::{c_string, text};
 use crate::sys;
 
@@ -12,12 +12,12 @@ pub fn mujoco_version() -> String {
     text(unsafe { sys::mimo_mujoco_version() })
 }
 
-/// What the loaded library shares with those that programs built against it run on; compare with `MIMO_ABI_VERSION`.
+/// ABI version of the loaded library; compare with [`MIMO_ABI_VERSION`](sys::MIMO_ABI_VERSION).
 pub fn abi_version() -> u32 {
     unsafe { sys::mimo_abi_version() }
 }
 
-/// Version of the interface that the loaded library has; compare with `MIMO_API_VERSION`.
+/// API version of the loaded library; compare with [`MIMO_API_VERSION`](sys::MIMO_API_VERSION).
 pub fn api_version() -> u32 {
     unsafe { sys::mimo_api_version() }
 }

@@ -1,4 +1,4 @@
-//! A simulated world, whoever owns it.
+//! A simulated world.
 use crate::block::Block;
 use crate::error::Result;
 use crate::layout::Layout;
@@ -6,19 +6,19 @@ use crate::results::Results;
 use crate::sys;
 use std::fmt;
 
-/// A simulated world. What can be done with it does not depend on who owns it: an [`Env`](crate::Env), or a
-/// [`Batch`](crate::Batch).
+/// A simulated world, which belongs to an [`Env`](crate::Env) or a [`Batch`](crate::Batch).
 ///
-/// A reference to it *is* the library's handle, and it has no size of its own: a world cannot be moved out of its
-/// owner, so that a world of a batch never outlives the batch.
+/// A reference to it *is* the library's handle, and the type has no size: a world cannot be moved out of its
+/// owner, so a world of a batch never outlives the batch.
 #[repr(C)]
 pub struct World {
     opaque: [u8; 0],
-    // Neither Send nor Sync by itself.
+    // Not Send or Sync by default.
     handle_of_c: std::marker::PhantomData<*mut u8>,
 }
 
-// `&self` methods call functions that take the handle as const, `&mut self` methods the others: the header's rule.
+// `&self` methods call functions whose handle is const, `&mut self` methods call the others: the header's
+// rule.
 unsafe impl Send for World {}
 unsafe impl Sync for World {}
 
@@ -30,7 +30,7 @@ impl fmt::Debug for World {
 
 impl World {
     /// # Safety
-    /// The handle lives, is not NULL, and nobody else uses it, for as long as the reference does.
+    /// As long as the reference lives, the handle is valid, not NULL, and used by nobody else.
     pub(crate) unsafe fn of<'a>(handle: *mut sys::mimo_env) -> &'a mut World {
         &mut *(handle as *mut World)
     }
@@ -40,7 +40,7 @@ impl World {
         self as *const World as *mut sys::mimo_env
     }
 
-    /// What it observes, acts with and is rewarded for.
+    /// Describes its observations, actions and rewards.
     pub fn layout(&self) -> Result<Layout<'_>> {
         unsafe { Layout::of(|layout| sys::mimo_env_layout(self.handle(), layout)) }
     }

@@ -1,5 +1,5 @@
-//! Steps allocate nothing on this side either; what the library does is counted in its own tests. A file of its own, for
-//! the allocator is that of the whole program.
+//! Steps allocate nothing in Rust either; the library's own tests count its allocations. This test has
+//! its own file because an allocator belongs to the whole program.
 use mimo::{Batch, BatchConfig, Env, EnvConfig, Scene};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -22,7 +22,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// How often memory was asked for.
+/// The number of allocations.
 fn allocations(work: impl FnOnce()) -> usize {
     let before = COUNT.load(Ordering::Relaxed);
     work();

@@ -1,4 +1,4 @@
-//! Many worlds do what single ones do.
+//! Batches.
 use mimo::{Autoreset, Batch, BatchConfig, BatchReset, Env, EnvConfig, Kind, Quantity, Reset, Scene, Status};
 
 fn reach(worlds: u32, steps: u32) -> Batch {
@@ -13,7 +13,7 @@ fn reach(worlds: u32, steps: u32) -> Batch {
 }
 
 #[test]
-fn worlds_equal_single_ones() {
+fn worlds_equal_single_worlds() {
     let mut batch = reach(3, 0);
     let mut blocks = batch.new_blocks().unwrap();
     let mut results = batch.new_results().unwrap();
@@ -36,7 +36,7 @@ fn worlds_equal_single_ones() {
 }
 
 #[test]
-fn final_blocks_are_of_the_old_episode() {
+fn final_blocks_belong_to_the_old_episode() {
     let mut batch = reach(2, 1);
     let mut blocks = batch.new_blocks().unwrap();
     let mut results = batch.new_results().unwrap();
@@ -49,7 +49,7 @@ fn final_blocks_are_of_the_old_episode() {
 }
 
 #[test]
-fn quantities_of_all_worlds_and_errors() {
+fn quantities_are_read_in_all_worlds() {
     let mut batch = reach(2, 0);
     batch.reset(BatchReset::new().seeds(&[1, 2]), None).unwrap();
     let head = batch.world(1).unwrap().find(Kind::BODY, "head").unwrap();
@@ -75,7 +75,7 @@ fn quantities_of_all_worlds_and_errors() {
 }
 
 #[test]
-fn futures_of_one_present_and_masks() {
+fn one_state_loads_into_selected_worlds() {
     let mut batch = reach(3, 0);
     let (mut first, mut second) = (batch.new_blocks().unwrap(), batch.new_blocks().unwrap());
     let mut results = batch.new_results().unwrap();
@@ -88,7 +88,7 @@ fn futures_of_one_present_and_masks() {
     batch.step(&actions, Some(&mut second), &mut results).unwrap();
     assert_eq!(first.as_bytes(), second.as_bytes());
 
-    // The present of world 1 in worlds 0 and 1; world 2 goes on by itself.
+    // Worlds 0 and 1 continue from the state of world 1; world 2 continues from its own.
     batch.load(&states, None).unwrap();
     let one = states.len() / 3;
     batch.load(&states[one..2 * one], Some(&[true, true, false])).unwrap();
@@ -112,9 +112,10 @@ fn futures_of_one_present_and_masks() {
     assert_eq!(now.world(1).as_bytes(), second.world(1).as_bytes());
 }
 
-/// Seeds for all, but only one of them starts anew: its random numbers are those of its seed, and of a world of its own.
+/// All worlds have seeds, but only one is reset: it gets the random numbers of a single world with that
+/// seed.
 #[test]
-fn seeds_and_masks_of_a_reset() {
+fn reset_takes_seeds_and_a_mask() {
     let mut batch = reach(2, 0);
     let mut blocks = batch.new_blocks().unwrap();
     batch.reset(BatchReset::new(), Some(&mut blocks)).unwrap();
@@ -130,9 +131,9 @@ fn seeds_and_masks_of_a_reset() {
     assert!(batch.reset(BatchReset::new().seeds(&[8]), None).is_err());
 }
 
-/// A joint at 1e200 rad/s: MuJoCo gives such a world up.
+/// A joint at 1e200 rad/s makes MuJoCo's simulation fail.
 #[test]
-fn worlds_fail_one_by_one() {
+fn a_failed_world_stops_no_other() {
     let mut batch = reach(2, 0);
     let mut results = batch.new_results().unwrap();
     let world = batch.world(1).unwrap();

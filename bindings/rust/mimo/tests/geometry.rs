@@ -1,4 +1,4 @@
-//! The world as an engine gets it.
+//! Geometry for engines.
 use mimo::{Axes, Detail, Env, Kind, Quantity, Reset, TextureType};
 
 fn length(v: [f32; 3]) -> f32 {
@@ -6,7 +6,7 @@ fn length(v: [f32; 3]) -> f32 {
 }
 
 #[test]
-fn shapes_and_how_they_look() {
+fn geoms_have_meshes_and_appearances() {
     let mut env = Env::make("benchmark").unwrap();
     let head = env.find(Kind::GEOM, "head").unwrap();
     let radius = env.get(Quantity::GEOM_SIZE, &[head]).unwrap()[0] as f32;
@@ -31,7 +31,7 @@ fn shapes_and_how_they_look() {
 
 /// Unity's x is to the right, its y up, its z forward.
 #[test]
-fn places_in_an_engine_s_frame() {
+fn poses_convert_to_an_engines_frame() {
     let mut env = Env::make("benchmark").unwrap();
     env.reset(Reset::new().seed(1), None).unwrap();
     let ours = env.poses(Kind::BODY, Axes::MIMO).unwrap();

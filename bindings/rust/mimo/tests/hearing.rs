@@ -1,4 +1,4 @@
-//! What infants hear: sounds that are played, and their own voice.
+//! Hearing: sounds that bodies play, and an infant's own voice.
 use mimo::{Env, EnvConfig, Hearing, Scene, Status, Touch, Vision};
 
 fn listening() -> Env {
@@ -9,7 +9,8 @@ fn listening() -> Env {
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
 
-/// A cry is 82 dB at 1 m, 99 at the own ears: docs/guide/hearing.md. 0 dB are 20 micropascals.
+/// A cry has 82 dB at 1 m, and 99 dB at the infant's own ears: docs/guide/hearing.md. 0 dB are 20
+/// micropascals.
 #[test]
 fn infants_hear_their_own_voice() {
     let mut env = listening();

@@ -1,4 +1,4 @@
-//! What is observed: the layout, times of fields, fields on request.
+//! Observations: the layout, times of fields, fields on request.
 use mimo::{
     Env, EnvConfig, FieldConfig, FieldType, Growth, Kind, Layout, Limits, Mature, Maturity, ObjectConfig,
     Quantity, Reset, Scene, Shape, Status, Touch, Vestibular, Vision,
@@ -15,7 +15,7 @@ fn index(layout: &Layout, name: &str) -> usize {
 }
 
 #[test]
-fn fields_follow_each_other_in_the_block() {
+fn fields_fill_the_block_in_order() {
     let env = Env::make("benchmark").unwrap();
     let layout = env.layout().unwrap();
     let mut free = 0;
@@ -39,10 +39,10 @@ fn fields_follow_each_other_in_the_block() {
     assert!(layout.field(99).is_err());
 }
 
-/// Steps of reach are two physics steps of 5 ms; joints are those of its end, the organ of balance is MuJoCo's sensor, of
-/// the start of the last physics step (docs/guide/time-and-frames.md).
+/// A step of reach is two physics steps of 5 ms. Joints belong to its end; the vestibular sense is a
+/// sensor of MuJoCo and belongs to the start of the last physics step (docs/guide/time-and-frames.md).
 #[test]
-fn fields_say_when_they_are_true() {
+fn fields_state_their_time() {
     let times = |limits: &Limits| {
         let mut scene = Scene::builtin("reach").unwrap();
         let mut agent = scene.default_agent().unwrap();
@@ -64,9 +64,10 @@ fn fields_say_when_they_are_true() {
     }
 }
 
-/// Late by the nerve of the part that a joint moves, and on its way through the brain, to the nearest time step of 5 ms.
+/// The delay is the time in the nerve of the part that a joint moves and in the brain, rounded to time
+/// steps of 5 ms.
 #[test]
-fn nerves_are_as_late_as_the_infant_is_old() {
+fn nerve_delays_follow_the_age() {
     let newborn = Maturity::of_age(0.0).unwrap();
     assert_eq!((newborn.acuity, newborn.chroma), (0.70, 0.0));
     assert_eq!(Maturity::of_age(24.0).unwrap().acuity, 11.1);
@@ -113,7 +114,7 @@ fn elements_and_actions_have_names() {
     let mut env = Env::make("benchmark").unwrap();
     let mut block = env.new_block().unwrap();
     let joints = labels(&env.layout().unwrap(), "proprioception/position");
-    // A joint with another angle each: what is set by its name stands where its label says.
+    // Each joint gets another angle: the value set by its name is the element with its label.
     for (i, label) in joints.iter().enumerate() {
         let joint = env.find(Kind::JOINT, label).unwrap();
         env.set(Quantity::JOINT_POSITION, &[joint], &[0.001 * i as f64]).unwrap();
@@ -133,10 +134,11 @@ fn elements_and_actions_have_names() {
     assert_eq!((elbow.low, elbow.high), (-1.0, f64::from(0.83f32)));
 }
 
-/// A ball at (0, 0, 2) and a box at (1, 0, 0), turned by a quarter about z: seen from the box the ball is at (0, 1, 2). Both
-/// stand still but for gravity g: after n steps of h the ball is h^2 g n (n + 1) / 2 lower, and falls at g h n.
+/// A ball at (0, 0, 2) and a box at (1, 0, 0), turned by a quarter about z: seen from the box the ball
+/// is at (0, 1, 2). The ball starts at rest: after n steps of h under gravity g it is h^2 g n (n + 1) /
+/// 2 lower, and falls at g h n.
 #[test]
-fn more_is_observed_on_request() {
+fn fields_are_added_on_request() {
     let mut scene = Scene::empty().unwrap();
     scene.add_object(ObjectConfig::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
     let mut block = ObjectConfig::new("box").unwrap();
@@ -189,9 +191,9 @@ fn more_is_observed_on_request() {
     assert!(error.status() == Status::NOT_FOUND && error.message().contains("ball"), "{}", error);
 }
 
-/// Reach is rewarded by minus the distance of what it wants and what is so far: the ball, and the fingers.
+/// The reward of reach is minus the distance between goal and achieved goal: the ball, and the fingers.
 #[test]
-fn goals_are_quantities_of_agents() {
+fn agents_have_goals_as_quantities() {
     let mut env = Env::make("reach").unwrap();
     env.reset(Reset::new().seed(3), None).unwrap();
     let ids = ["target", "right_fingers"].map(|name| env.find(Kind::BODY, name).unwrap());

@@ -1,4 +1,4 @@
-//! Tasks of one's own, locks, gravity, random numbers.
+//! Own tasks, scenes, limits, locks, gravity.
 use mimo::{
     Act, AgentConfig, Batch, BatchConfig, BatchReset, Env, EnvConfig, Error, Kind, Moment, Outcome, Place,
     Quantity, Reset, Result, Scene, Status, Task, TaskField, Touch, Verdict, Vestibular, Vision, World,
@@ -6,7 +6,7 @@ use mimo::{
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::Arc;
 
-/// Counts its steps in its memory, and ends the episode well at the third.
+/// Counts its steps in its memory, and ends the episode with success at the third.
 struct Counter {
     dropped: Arc<AtomicUsize>,
 }
@@ -52,7 +52,7 @@ fn scene(task: impl Task + 'static) -> Scene {
 }
 
 #[test]
-fn own_task_rewards_and_ends() {
+fn own_task_rewards_and_ends_episodes() {
     let dropped = Arc::new(AtomicUsize::new(0));
     let scene = scene(Counter { dropped: dropped.clone() });
     let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
@@ -84,7 +84,7 @@ fn own_task_rewards_and_ends() {
 
 /// A room, a cup in it, and a handle that is fastened to the cup.
 #[test]
-fn scenes_are_built() {
+fn scenes_take_rooms_models_and_welds() {
     const CUP: &str = "<mujoco><worldbody><body><geom name='side' size='.03'/></body></worldbody></mujoco>";
     assert!(mimo::rooms().contains(&"playroom".to_string()));
     let mut scene = Scene::empty().unwrap();
@@ -114,8 +114,8 @@ fn scenes_are_built() {
     assert!(env.get(Quantity::BODY_POSITION, &[cup]).unwrap()[2] > 0.45); // it would be on the floor otherwise
 }
 
-/// Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces that meet (J Appl Physiol 1957;11:211 has skin's
-/// effusivity) through 350 W/(m^2 K) give 28.21 on copper, 30.26 on hardwood.
+/// Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces in contact (J Appl Physiol 1957;11:211
+/// has the effusivity of skin) through 350 W/(m^2 K) give 28.21 degrees on copper and 30.26 on hardwood.
 #[test]
 fn metal_feels_colder_than_wood() {
     const TABLE: &str = "<mujoco><option timestep='.005'/><worldbody><body name='table'><geom type='box' size='1 1 .1'
@@ -154,9 +154,9 @@ fn metal_feels_colder_than_wood() {
     scene.set_room_temperature(20.0).unwrap();
 }
 
-/// A perfect sense times two, and half a second later.
+/// A perfect sense with twice the gain, and two steps late.
 #[test]
-fn limited_senses() {
+fn senses_have_limits() {
     let build = |limits: Option<mimo::Limits>| {
         let mut scene = Scene::builtin("reach").unwrap();
         let agent = scene.default_agent().unwrap();
@@ -189,9 +189,10 @@ fn limited_senses() {
     assert_eq!(error.status(), Status::INVALID_ARGUMENT);
 }
 
-/// Motors get half of what they are told, two steps late; a state tells what it lacks of that.
+/// Motors get half of each action, two steps late; the report of a load names the memories that the
+/// state lacked.
 #[test]
-fn limited_motors() {
+fn motors_have_limits() {
     let build = |limits: Option<mimo::Limits>| {
         let mut scene = Scene::builtin("benchmark").unwrap();
         let agent = scene.default_agent().unwrap();
@@ -217,9 +218,9 @@ fn limited_motors() {
     assert_eq!((report.fresh, report.ignored), (vec!["agent/motor delay".to_string()], vec![]));
 }
 
-/// No MuJoCo is linked here, so only refusals can be tested; tests/capi attaches senses to a model.
+/// These tests do not link MuJoCo, so they test errors only; tests/capi attaches senses to a model.
 #[test]
-fn senses_refuse_what_is_no_model() {
+fn senses_refuse_invalid_models() {
     let mut scene = Scene::empty().unwrap();
     let mut agent = mimo::AgentConfig::new().unwrap();
     agent
@@ -239,7 +240,8 @@ fn senses_refuse_what_is_no_model() {
     assert_eq!(attach(999).err().unwrap().status(), Status::UNSUPPORTED);
 }
 
-/// Two terms, a goal that each episode draws, a success that goes on, a cut after five steps.
+/// Two terms, a goal that each episode draws, a success that does not end the episode, and an end after
+/// five steps.
 struct Goal {
     position: mimo::Field,
 }
@@ -278,7 +280,7 @@ impl Task for Goal {
     }
 }
 
-/// The only joint that is sensed, and the field that it is sensed in.
+/// A scene that senses a single joint, and the field that contains it.
 fn one_joint() -> (Scene, mimo::Field) {
     let mut scene = scene(Broken(0));
     scene.read_joint(0, "robot:left_elbow").unwrap();
@@ -288,7 +290,7 @@ fn one_joint() -> (Scene, mimo::Field) {
 }
 
 #[test]
-fn terms_fields_and_ends_of_an_own_task() {
+fn own_task_has_terms_fields_and_ends() {
     let (mut scene, position) = one_joint();
     scene.set_task(Goal { position }).unwrap();
     let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
@@ -333,7 +335,7 @@ fn terms_fields_and_ends_of_an_own_task() {
     }
 }
 
-/// One point for the first, two for the second.
+/// The first agent gets 1 point, the second 2.
 struct Points;
 
 impl Task for Points {
@@ -345,7 +347,7 @@ impl Task for Points {
 }
 
 #[test]
-fn two_infants_have_results_of_their_own() {
+fn each_infant_has_its_own_results() {
     let mut scene = Scene::builtin("free").unwrap();
     for (name, y) in [("anna", 0.5), ("ben", -0.5)] {
         let mut agent = mimo::AgentConfig::new().unwrap();
@@ -381,7 +383,7 @@ fn two_infants_have_results_of_their_own() {
 }
 
 #[test]
-fn descriptions_of_tasks_are_checked() {
+fn invalid_task_descriptions_are_refused() {
     struct Twice;
     impl Task for Twice {
         fn terms(&self) -> Vec<String> {
@@ -395,7 +397,7 @@ fn descriptions_of_tasks_are_checked() {
     assert_eq!(error.message(), "task: there are two terms \"near\"");
 }
 
-/// Fails or panics, as its number says.
+/// Fails or panics, depending on its number.
 struct Broken(u32);
 
 impl Task for Broken {
@@ -408,7 +410,7 @@ impl Task for Broken {
 }
 
 #[test]
-fn errors_and_panics_of_tasks_are_errors_of_the_step() {
+fn a_tasks_error_or_panic_fails_the_step() {
     let says = ["returned -9 (MIMO_E_UNSUPPORTED): not today", "panicked: dropped at the border"];
     for (number, why) in (0..).zip(says) {
         let mut env = Env::new(&scene(Broken(number)), &EnvConfig::new().unwrap()).unwrap();
@@ -428,9 +430,9 @@ fn errors_and_panics_of_tasks_are_errors_of_the_step() {
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap().step(&[], None).unwrap();
 }
 
-/// A panic between send and receive must not leave the library writing into arrays that are gone.
+/// After a panic between send and receive the library must not write into freed arrays.
 #[test]
-fn panic_while_stepping_receives() {
+fn a_panic_after_send_still_receives() {
     let dropped = Arc::new(AtomicUsize::new(0));
     let scene = scene(Counter { dropped });
     let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(2).unwrap()).unwrap();
@@ -445,7 +447,7 @@ fn panic_while_stepping_receives() {
 }
 
 #[test]
-fn locks_and_gravity_are_of_one_world() {
+fn locks_and_gravity_belong_to_one_world() {
     let mut env = Env::make("benchmark").unwrap();
     let elbow = env.find(Kind::JOINT, "robot:left_elbow").unwrap();
     assert_eq!(env.locked(elbow).unwrap(), None);
@@ -465,7 +467,7 @@ const BALL: &str = r#"<mujoco><option timestep="0.005"/><worldbody><geom type="p
 
 // v = F / m t, in each world of a batch with its own mass.
 #[test]
-fn masses_differ_from_world_to_world() {
+fn masses_differ_between_worlds() {
     let scene = Scene::xml(BALL).unwrap();
     let mut batch = Batch::new(&scene, &EnvConfig::new().unwrap(), &BatchConfig::new(3).unwrap()).unwrap();
     let ball = batch.world(0).unwrap().find(Kind::BODY, "ball").unwrap();
@@ -486,7 +488,7 @@ fn masses_differ_from_world_to_world() {
 }
 
 #[test]
-fn contacts_within_a_step_change_the_momentum() {
+fn contact_impulses_equal_the_change_of_momentum() {
     let scene = Scene::xml(BALL).unwrap();
     let mut config = EnvConfig::new().unwrap();
     config.frame_skip(20).step_contacts(true);

@@ -1,4 +1,4 @@
-//! What a program does with a world is recorded, and played again bit for bit.
+//! Recordings, and their replay bit for bit.
 use mimo::{
     Env, EnvConfig, Growth, Hearing, Recorder, RecorderConfig, Recording, Reset, Scene, Status, Touch, Vision,
 };
@@ -16,7 +16,7 @@ fn world() -> Env {
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
 
-/// None where HDF5 is not installed.
+/// None if HDF5 is not installed.
 fn record(env: &mut Env, path: &str) -> Option<Recorder> {
     let mut config = RecorderConfig::new().unwrap();
     config.keep("hearing/ear_left").unwrap().state_seconds(0.1).configuration("{}").unwrap().seed(7);
@@ -27,7 +27,7 @@ fn record(env: &mut Env, path: &str) -> Option<Recorder> {
 }
 
 #[test]
-fn a_program_is_played_again() {
+fn a_run_is_replayed() {
     let path = path("run");
     let (mut env, mut twin) = (world(), world());
     let mut block = env.new_block().unwrap();
@@ -66,7 +66,7 @@ fn a_program_is_played_again() {
 }
 
 #[test]
-fn a_recording_stays_unless_asked() {
+fn existing_recordings_are_kept_by_default() {
     let path = path("stays");
     let mut env = world();
     let Some(recorder) = record(&mut env, &path) else { return };
@@ -84,7 +84,7 @@ fn a_recording_stays_unless_asked() {
 }
 
 #[test]
-fn what_is_no_recording() {
+fn other_files_are_no_recordings() {
     let path = path("none");
     let error = Recording::open(&path, None).unwrap_err();
     assert!(matches!(error.status(), Status::NOT_FOUND | Status::UNSUPPORTED), "{}", error);

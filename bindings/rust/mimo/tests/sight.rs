@@ -4,7 +4,7 @@ use mimo::{
     Render, Reset, Scene, Status, Touch, Vision,
 };
 
-/// The scene "free" with a small infant that sees nothing by itself.
+/// The scene "free" with an infant without vision and touch.
 fn room() -> Scene {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = scene.default_agent().unwrap();
@@ -55,7 +55,7 @@ fn lines_of_sight_meet_where_it_looks() {
 }
 
 #[test]
-fn cameras_are_fields_and_pictures() {
+fn cameras_give_fields_and_pictures() {
     let mut scene = room();
     let mut wall = CameraConfig::new("wall", [1.5, 0.0, 0.8], [0.0, 0.0, 0.4]).unwrap();
     wall.width(32).height(24).outputs(Vision::RGB | Vision::SEGMENTATION);
@@ -90,9 +90,9 @@ fn cameras_are_fields_and_pictures() {
     assert_eq!(Env::new(&scene, &config).err().unwrap().status(), Status::NOT_FOUND);
 }
 
-/// A ball of 4 cm radius, 2 m before the camera: its nearest point is 1.96 m away.
+/// A ball of 4 cm radius, 2 m in front of the camera: its nearest point is 1.96 m away.
 #[test]
-fn pictures_of_depth_and_of_what_is_there() {
+fn pictures_show_depth_and_segmentation() {
     let mut scene = Scene::empty().unwrap();
     scene.add_object(ObjectConfig::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
     let mut env = world(&scene);
@@ -108,9 +108,9 @@ fn pictures_of_depth_and_of_what_is_there() {
     assert_eq!(env.render_into(&config, &mut picture).unwrap_err().status(), Status::BUFFER_TOO_SMALL);
 }
 
-/// Receptors of the skin that docs/guide/touch.md counts.
+/// The number of receptors is that of docs/guide/touch.md.
 #[test]
-fn skin_is_where_touch_is() {
+fn receptors_lie_on_the_skin() {
     let env = Env::make("benchmark").unwrap();
     let layout = env.layout().unwrap();
     let touch = layout.find("touch/force").unwrap();

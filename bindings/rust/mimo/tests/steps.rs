@@ -1,4 +1,4 @@
-//! How worlds go on, what rewards consist of, where time goes, and what there is by name.
+//! Steps, terms of rewards, timing, and lists of names.
 use mimo::{
     Batch, BatchConfig, Disable, Env, EnvConfig, Kind, ObjectConfig, PictureConfig, Quantity, Reset, Scene,
     Status, Touch, Vision,
@@ -12,7 +12,7 @@ fn ball(config: &EnvConfig) -> Env {
     Env::new(&scene, config).unwrap()
 }
 
-/// The paper's tasks take steps of 10 ms, two of 5 ms each (docs/tasks.md).
+/// The paper's tasks have steps of 10 ms, two physics steps of 5 ms each (docs/tasks.md).
 #[test]
 fn worlds_know_their_task_and_time_steps() {
     let env = Env::make("reach").unwrap();
@@ -40,9 +40,9 @@ fn bare_physics_steps_are_counted() {
     assert_eq!(env.physics_step(1_000_001).unwrap_err().status(), Status::INVALID_ARGUMENT);
 }
 
-/// A ball without gravity stays where it is; unknown bits are refused.
+/// A ball without gravity does not move; unknown flags are an error.
 #[test]
-fn parts_of_physics_are_left_out() {
+fn parts_of_physics_can_be_disabled() {
     let mut config = EnvConfig::new().unwrap();
     config.disable(Disable::GRAVITY);
     let mut env = ball(&config);
@@ -58,9 +58,10 @@ fn parts_of_physics_are_left_out() {
     );
 }
 
-/// Reach's distance is that of the right fingers and the ball, and its reward the sum of all terms (docs/tasks.md).
+/// The distance of reach is that between the right fingers and the ball, and the reward is the sum of
+/// all terms (docs/tasks.md).
 #[test]
-fn rewards_consist_of_terms() {
+fn rewards_are_sums_of_terms() {
     let mut env = Env::make("reach").unwrap();
     env.reset(Reset::new().seed(3), None).unwrap();
     let mut results = env.new_results().unwrap();
@@ -75,7 +76,7 @@ fn rewards_consist_of_terms() {
 }
 
 #[test]
-fn timing_tells_where_time_goes() {
+fn timing_counts_the_parts_of_steps() {
     let mut scene = Scene::builtin("reach").unwrap();
     scene.add_agents(None).unwrap();
     let mut config = EnvConfig::new().unwrap();
@@ -97,10 +98,10 @@ fn timing_tells_where_time_goes() {
     }
 }
 
-/// A pinhole with a field of view of 90 degrees and 480 rows: what is as far to the side as it is away lies at the edge,
-/// 240 pixels from the middle.
+/// A pinhole camera with a field of view of 90 degrees and 480 rows: a point as far to the side as it is
+/// away lies at the edge, 240 pixels from the middle.
 #[test]
-fn points_lie_where_a_pinhole_draws_them() {
+fn project_matches_a_pinhole_camera() {
     let env = ball(&EnvConfig::new().unwrap());
     let mut ahead = PictureConfig::new(640, 480).unwrap();
     ahead.free([0.0, 0.0, 1.0], 2.0, 90.0, 0.0).fovy(90.0); // looks along +y: right is +x
@@ -114,7 +115,7 @@ fn points_lie_where_a_pinhole_draws_them() {
     assert_eq!(env.project(third, &[[0.0; 3]]).unwrap_err().status(), Status::NOT_FOUND);
 }
 
-/// Never more threads than worlds; none asked for is as many as the machine has, at most.
+/// There are never more threads than worlds; the default is at most the number of cores.
 #[test]
 fn batches_know_their_size() {
     let mut scene = Scene::empty().unwrap();
@@ -129,7 +130,7 @@ fn batches_know_their_size() {
     assert!((1..=cores.max(1)).contains(&size(3, 0).1));
 }
 
-/// The names are those that worlds take; reach's success is worth 100, as in the paper.
+/// Worlds accept all listed names; the success of reach is worth 100, as in the paper.
 #[test]
 fn tasks_and_parameters_are_listed() {
     let tasks = mimo::tasks();
@@ -153,9 +154,9 @@ fn tasks_and_parameters_are_listed() {
     assert_eq!(success.standard, 100.0);
 }
 
-/// Who is held still is held with its weight: at the third degree of freedom of its free joint.
+/// Holding an infant still takes its weight, at the third degree of freedom of its free joint.
 #[test]
-fn movements_are_followed() {
+fn follow_returns_the_forces_of_a_movement() {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = scene.default_agent().unwrap();
     scene.add_agent(agent.vision(Vision::empty()).touch(Touch::empty())).unwrap();

@@ -1,4 +1,4 @@
-//! One world, driven as a user drives it.
+//! Single worlds, scenes, messages.
 use mimo::sys::*;
 use mimo::{
     Act, AgentConfig, Batch, BatchConfig, Env, EnvConfig, Growth, Kind, LogLevel, LogRecord, ObjectConfig,
@@ -6,16 +6,16 @@ use mimo::{
 };
 use std::sync::{Arc, Mutex};
 
-/// An empty world with one ball at a height of 2 m: physics that can be computed by hand.
+/// An empty world with one ball at a height of 2 m, whose fall can be calculated.
 fn ball() -> Env {
     let mut scene = Scene::empty().unwrap();
     scene.add_object(ObjectConfig::new("ball").unwrap().position([0.0, 0.0, 2.0])).unwrap();
     Env::new(&scene, &EnvConfig::new().unwrap()).unwrap()
 }
 
-/// For C "" is nothing, and nothing is an empty world; a task needs somebody, a room may be empty.
+/// In C "" means nothing, and nothing makes an empty world; a task needs an infant, a room does not.
 #[test]
-fn scenes_of_nothing_and_nobody_are_refused() {
+fn empty_names_and_missing_infants_are_refused() {
     for made in [Scene::builtin(""), Scene::file(""), Scene::xml("")] {
         let error = made.unwrap_err();
         assert_eq!(error.status(), Status::INVALID_ARGUMENT);
@@ -28,7 +28,7 @@ fn scenes_of_nothing_and_nobody_are_refused() {
 
 /// The original's infant weighs 10.905 kg; MIMo's bodies hang on mimo_location.
 #[test]
-fn body_is_that_of_the_paper() {
+fn body_weighs_as_in_the_paper() {
     assert!(mimo::builtin_scenes().contains(&"benchmark".to_string()));
     let env = Env::make("benchmark").unwrap();
     let root = env.find(Kind::BODY, "mimo_location").unwrap();
@@ -98,7 +98,7 @@ fn an_infant_stands_where_its_soles_are_put() {
 }
 
 #[test]
-fn errors_carry_kind_and_message() {
+fn errors_carry_status_and_message() {
     let error = Env::make("benchmarc").err().unwrap();
     assert_eq!(error.status(), Status::NOT_FOUND);
     assert!(error.message().contains("\"benchmarc\"") && error.message().contains("benchmark"), "{}", error);
@@ -128,7 +128,7 @@ fn block_of_another_world_is_refused() {
 }
 
 #[test]
-fn saved_state_continues_to_the_bit() {
+fn saved_states_continue_bit_for_bit() {
     let mut env = Env::make("reach").unwrap();
     let (mut first, mut second) = (env.new_block().unwrap(), env.new_block().unwrap());
     let action = vec![0.5; env.layout().unwrap().action_count()];
@@ -147,7 +147,7 @@ fn saved_state_continues_to_the_bit() {
 // A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006. Ours of
 // 18 months weighs 10.905 kg.
 #[test]
-fn infants_of_any_age() {
+fn infants_have_any_age() {
     let mut scene = Scene::builtin("free").unwrap();
     let mut agent = AgentConfig::new().unwrap();
     agent.vision(Vision::empty()).growth(Growth::of_age(24.5).unwrap());
@@ -178,7 +178,7 @@ fn agent_config_reaches_the_world() {
     assert_eq!(env.new_block().unwrap().f32("anna/vision/eye_left_depth").unwrap().len(), 32 * 16);
 }
 
-/// What was said: level, code, text, world, time.
+/// Messages: level, code, text, world, time.
 type Heard = Arc<Mutex<Vec<(LogLevel, Option<WarningCode>, String, Option<usize>, f64)>>>;
 
 /// A panic in the callback must not unwind through the library.
@@ -193,7 +193,7 @@ fn listener(heard: &Heard) -> impl Fn(&LogRecord) + Send + Sync + 'static {
 }
 
 #[test]
-fn messages_say_what_where_and_when() {
+fn messages_have_code_world_and_time() {
     let heard = Heard::default();
     let mut config = EnvConfig::new().unwrap();
     config.log(listener(&heard));
@@ -230,7 +230,7 @@ fn messages_of_a_batch_name_their_worlds() {
 
 /// An infant that lies half a metre below the floor.
 #[test]
-fn scenes_warn_of_places() {
+fn scenes_warn_of_infants_below_the_floor() {
     let heard = Heard::default();
     let mut config = SceneConfig::builtin("free").unwrap();
     let mut scene = Scene::new(config.log(listener(&heard))).unwrap();
@@ -244,7 +244,7 @@ fn scenes_warn_of_places() {
     assert_eq!((*level, *code, *world, *time), (LogLevel::WARNING, None, None, 0.0), "{}", text);
 }
 
-/// Three elements in the world, of which two are allowed.
+/// Three elements in the world, two are allowed.
 #[test]
 fn documents_are_limited() {
     let mut config = SceneConfig::xml(CROWDED).unwrap();
@@ -255,7 +255,7 @@ fn documents_are_limited() {
 }
 
 #[test]
-fn the_library_tells_what_it_knows() {
+fn versions_and_supported_names_are_told() {
     assert_eq!((mimo::abi_version(), mimo::api_version()), (MIMO_ABI_VERSION, MIMO_API_VERSION));
     for known in ["mimo_env_step", "MIMO_BODY_MASS", "mimo_field", "mimo_field.period"] {
         assert!(mimo::supports(known), "{}", known);
@@ -296,9 +296,9 @@ fn handles_move_between_threads() {
     });
 }
 
-/// `{:?}` of what holds megabytes says what is in them.
+/// `{:?}` of objects with megabytes prints a summary.
 #[test]
-fn everything_prints() {
+fn large_objects_print_a_summary() {
     let env = Env::make("benchmark").unwrap();
     let block = env.new_block().unwrap();
     let said = format!("{:?} {:?}", block, block.world(0));

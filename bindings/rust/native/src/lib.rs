@@ -1,1 +1,1 @@
-//! libmimo for one system, for the crate `mimo-sys`; nothing is declared here.
+//! libmimo for one system, for the crate `mimo-sys`. This crate declares nothing.
