@@ -58,9 +58,10 @@ def enumeration(words, enum):
     rows = [(words.constant(one.name), one.value, words.text(one.doc, enum=enum)) for one in constants]
     if flags and "None" not in [name for name, _, _ in rows]:
         rows.insert(0, ("None", 0, "None of them."))
+    hexadecimal = flags or max(value for _, value, _ in rows) > 0xFF
     body = []
     for name, value, text in rows:
-        number = f"0x{value:X}" if flags and value else value
+        number = f"0x{value:X}" if hexadecimal and value > 0 else value
         body += [*documented(text), f"{name} = {number},"]
     body[-1] = body[-1].rstrip(",")
     base = " : uint" if enum.c_type == "uint32_t" else ""

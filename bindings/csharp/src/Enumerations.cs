@@ -370,16 +370,16 @@ namespace Mimo
     public enum Receptor
     {
         /// <summary>1, id of its body.</summary>
-        Body = 8193,
+        Body = 0x2001,
         /// <summary>1, id of the geom whose surface it is on.</summary>
-        Geom = 8194,
+        Geom = 0x2002,
         /// <summary>3, m, in the frame of its body.</summary>
-        Position = 8195,
+        Position = 0x2003,
         /// <summary>9, in the frame of its body: outward normal, first tangent, second tangent. The first tangent is
         /// the body's x axis projected on the skin, or its y axis if x is within 10 degrees of the normal; the second
         /// is the normal x the first. A receptor that represents a whole small geom lies in its middle, and its normal
         /// is the body's x axis.</summary>
-        Frame = 8196
+        Frame = 0x2004
     }
 
     /// <summary>How constraints are solved: the same solution to rounding.</summary>
@@ -475,137 +475,137 @@ namespace Mimo
     {
         /// <summary>Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the
         /// world without joints.</summary>
-        BodyPosition = 257,
+        BodyPosition = 0x101,
         /// <summary>Body: 4, w x y z. Writable as Quantity.BodyPosition.</summary>
-        BodyOrientation = 258,
+        BodyOrientation = 0x102,
         /// <summary>Body: 6, linear (m/s) of its origin and angular (rad/s), world frame.</summary>
-        BodyVelocity = 259,
+        BodyVelocity = 0x103,
         /// <summary>Body: 6, force and torque at its centre of mass, world. Writable as Quantity.JointForce.</summary>
-        BodyForce = 260,
+        BodyForce = 0x104,
         /// <summary>Body: 1, kg, &gt; 0. Writable, W: its inertia grows along.</summary>
-        BodyMass = 261,
+        BodyMass = 0x105,
         /// <summary>Body: 3, of the body alone, world, m.</summary>
-        BodyCenterOfMass = 262,
+        BodyCenterOfMass = 0x106,
         /// <summary>Body: 7, position and orientation. Writable as Quantity.BodyPosition.</summary>
-        BodyPose = 263,
+        BodyPose = 0x107,
         /// <summary>Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the
         /// joints on their way; 0 for what is no part of one.</summary>
-        BodyNerveLength = 264,
+        BodyNerveLength = 0x108,
         /// <summary>Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.</summary>
-        JointPosition = 513,
+        JointPosition = 0x201,
         /// <summary>Joint: 1, 3 or 6. Writable.</summary>
-        JointVelocity = 514,
+        JointVelocity = 0x202,
         /// <summary>Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world is reset.
         /// Writable.</summary>
-        JointForce = 515,
+        JointForce = 0x203,
         /// <summary>Joint: 1, 3 or 6.</summary>
-        JointAcceleration = 516,
+        JointAcceleration = 0x204,
         /// <summary>Joint: 2, low and high; -inf and inf when not limited.</summary>
-        JointRange = 517,
+        JointRange = 0x205,
         /// <summary>Joint: 1, for all its axes, Nms/rad or Ns/m, &gt;= 0. Writable, W.</summary>
-        JointDamping = 518,
+        JointDamping = 0x206,
         /// <summary>Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants;
         /// see Env.Set. 0 and 0 where nothing could hold it.</summary>
-        JointLock = 519,
+        JointLock = 0x207,
         /// <summary>Geom: 3, world, m.</summary>
-        GeomPosition = 769,
+        GeomPosition = 0x301,
         /// <summary>Geom: 4, w x y z.</summary>
-        GeomOrientation = 770,
+        GeomOrientation = 0x302,
         /// <summary>Geom: 3, by shape, m, &gt; 0; those that its shape does not use are left alone. Writable, W, but
         /// for planes, meshes and height fields: what touches and what is seen; mass, inertia and touch sensors
         /// stay.</summary>
-        GeomSize = 771,
+        GeomSize = 0x303,
         /// <summary>Geom: 7, position and orientation.</summary>
-        GeomPose = 772,
+        GeomPose = 0x304,
         /// <summary>Geom: 3, sliding, torsional (m), rolling (m), &gt;= 0; two geoms meet with the larger one, or as
         /// their pair in the model says. Writable, W.</summary>
-        GeomFriction = 773,
+        GeomFriction = 0x305,
         /// <summary>Geom: 4, red, green, blue, opacity, 0 to 1. (0.5, 0.5, 0.5, 1) shows the material's colour, where
         /// there is a material. Writable, W.</summary>
-        GeomColor = 774,
+        GeomColor = 0x306,
         /// <summary>Site: 3, world, m.</summary>
-        SitePosition = 1025,
+        SitePosition = 0x401,
         /// <summary>Site: 4, w x y z.</summary>
-        SiteOrientation = 1026,
+        SiteOrientation = 0x402,
         /// <summary>Site: 7, position and orientation.</summary>
-        SitePose = 1027,
+        SitePose = 0x403,
         /// <summary>Site: 6, linear (m/s) of its position and angular (rad/s), world frame.</summary>
-        SiteVelocity = 1028,
+        SiteVelocity = 0x404,
         /// <summary>Camera: 3, world, m.</summary>
-        CameraPosition = 1281,
+        CameraPosition = 0x501,
         /// <summary>Camera: 4, w x y z; a camera looks along its -z, +y is up in the picture.</summary>
-        CameraOrientation = 1282,
+        CameraOrientation = 0x502,
         /// <summary>Camera: 7, position and orientation.</summary>
-        CameraPose = 1283,
+        CameraPose = 0x503,
         /// <summary>Actuator: 1, control input. Writable.</summary>
-        ActuatorControl = 1537,
+        ActuatorControl = 0x601,
         /// <summary>Actuator: 1, N or Nm.</summary>
-        ActuatorForce = 1538,
+        ActuatorForce = 0x602,
         /// <summary>Actuator: 1, Nm at control 1. Writable, W.</summary>
-        ActuatorGear = 1539,
+        ActuatorGear = 0x603,
         /// <summary>Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of
         /// the one that pulls to the negative side, then of the other; until you change it or the world is reset, 70
         /// each. None where its agent senses no spindles, Proprioception.SpindlePrimary or
         /// Proprioception.SpindleSecondary. Writable.</summary>
-        ActuatorFusimotorDrive = 1540,
+        ActuatorFusimotorDrive = 0x604,
         /// <summary>Sensor: its dimension.</summary>
-        SensorValue = 1793,
+        SensorValue = 0x701,
         /// <summary>Light: 3, m, in the frame of its body, mostly the world. Writable, W.</summary>
-        LightPosition = 2049,
+        LightPosition = 0x801,
         /// <summary>Light: 3, unit vector in that frame. Writable (any length), W.</summary>
-        LightDirection = 2050,
+        LightDirection = 0x802,
         /// <summary>Light: 3, red, green, blue of its diffuse part, 0 to 100. Writable, W.</summary>
-        LightColor = 2051,
+        LightColor = 0x803,
         /// <summary>Contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).</summary>
-        ContactGeoms = 2305,
+        ContactGeoms = 0x901,
         /// <summary>Contact: 2, ids of their bodies; of a flex that of the nearest vertex.</summary>
-        ContactBodies = 2306,
+        ContactBodies = 0x902,
         /// <summary>Contact: 3, world, m.</summary>
-        ContactPosition = 2307,
+        ContactPosition = 0x903,
         /// <summary>Contact: 9, rows: normal from geom 1 to geom 2, two tangents; world.</summary>
-        ContactFrame = 2308,
+        ContactFrame = 0x904,
         /// <summary>Contact: 1, m; negative: how deep the geoms overlap, of boxes too.</summary>
-        ContactDistance = 2309,
+        ContactDistance = 0x905,
         /// <summary>Contact: 3, on the second body, in the contact's frame, N.</summary>
-        ContactForce = 2310,
+        ContactForce = 0x906,
         /// <summary>Contact: 3, on the second body, in the contact's frame, Nm.</summary>
-        ContactTorque = 2311,
+        ContactTorque = 0x907,
         /// <summary>Step contact: 2, ids of geom 1 and geom 2; -1 for a flex (MuJoCo 4).</summary>
-        StepContactGeoms = 2561,
+        StepContactGeoms = 0xA01,
         /// <summary>Step contact: 2, ids of their bodies.</summary>
-        StepContactBodies = 2562,
+        StepContactBodies = 0xA02,
         /// <summary>Step contact: 1, when they first touched, s since the step's start.</summary>
-        StepContactStart = 2563,
+        StepContactStart = 0xA03,
         /// <summary>Step contact: 1, when they last touched, s since the step's start.</summary>
-        StepContactEnd = 2564,
+        StepContactEnd = 0xA04,
         /// <summary>Step contact: 3, on the second body over the step, world, N s.</summary>
-        StepContactImpulse = 2565,
+        StepContactImpulse = 0xA05,
         /// <summary>Step contact: 3, the largest of the physics steps' forces, on the second body, world, N.</summary>
-        StepContactPeakForce = 2566,
+        StepContactPeakForce = 0xA06,
         /// <summary>Step contact: 3, of the strongest contact at that time, world, m.</summary>
-        StepContactPeakPosition = 2567,
+        StepContactPeakPosition = 0xA07,
         /// <summary>Agent: 1, id of the Kind.Face that it shows; -1 for none of them. Writable, W, for agents that have
         /// a face.</summary>
-        AgentFace = 2817,
+        AgentFace = 0xB01,
         /// <summary>Agent: what its task wants of it, and what is so far; how many numbers they are, and of what,
         /// depends on the task: docs/tasks.md. None where a task has no such thing, as those of your own, which have
         /// fields.</summary>
-        AgentGoal = 2818,
+        AgentGoal = 0xB02,
         /// <summary>Agent: see Quantity.AgentGoal.</summary>
-        AgentAchieved = 2819,
+        AgentAchieved = 0xB03,
         /// <summary>Agent: 1, months, as Growth says: of size and mass. None where the agent is no infant.</summary>
-        AgentAge = 2820,
+        AgentAge = 0xB04,
         /// <summary>Agent: 1, months, of strength, range of motion and tone; likewise.</summary>
-        AgentPhysiologicalAge = 2821,
+        AgentPhysiologicalAge = 0xB05,
         /// <summary>World: 3, m/s^2, world frame. Writable, W.</summary>
-        WorldGravity = 3329,
+        WorldGravity = 0xD01,
         /// <summary>Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave
         /// it. Writable with 0, to count anew.</summary>
-        WarningSteps = 3585,
+        WarningSteps = 0xE01,
         /// <summary>Or-ed to a quantity: its value of now, which follows from the current positions and velocities;
         /// nothing is changed by asking. For poses, positions, orientations, centres of mass and velocities, and for
         /// what is always current.</summary>
-        Now = 1073741824
+        Now = 0x40000000
     }
 
     /// <summary>Frames of engines: where their axes point.</summary>

@@ -27,9 +27,9 @@ internal static partial class Tests
     {
         using (var env = new Env("reach"))
         {
-            var error = Refused(() => env.Get((Quantity)9999));
+            var error = Refused(() => env.Get((Quantity)0x270f));
             var known = Library.ApiVersion / 1000 + "." + Library.ApiVersion % 1000;
-            Check(error.Status == Status.Unsupported && error.Message.Contains("9999") && error.Message.Contains(known), error.Message);
+            Check(error.Status == Status.Unsupported && error.Message.Contains("0x270f") && error.Message.Contains(known), error.Message);
         }
     }
 
