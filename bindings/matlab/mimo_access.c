@@ -1,17 +1,17 @@
-/* Commands beside stepping: names, states, faces, locks, gravity. */
+/* Commands for names, states, faces, locks and gravity. */
 #include "mimo_access.h"
 
 #include <string.h>
 
 #include "mimo_words.h"
 
-/* What is read or written: a quantity of things that are named, one or a cell array of them; or of all, with ids NULL.
+/* A selection to read or write: a quantity of elements by name, one or a cell array of them; or of all, with ids NULL.
  */
 typedef struct selection {
   worlds* all;
   int32_t quantity, *ids;
   size_t count, width; /* values of one world */
-  size_t each;         /* of contacts, which have no names: how many values each has; 0: they are named */
+  size_t each;         /* of contacts, which have no names: the number of values of each; 0: elements have names */
 } selection;
 
 static int32_t find(const worlds* all, int32_t kind, const char* name) {
@@ -20,7 +20,7 @@ static int32_t find(const worlds* all, int32_t kind, const char* name) {
   return id;
 }
 
-/* Without names: all. `world` tells how wide they are. */
+/* Without names: all elements. `world` knows their width. */
 static selection select_by_name(worlds* all, const mimo_env* world, const mxArray* name, const mxArray* names) {
   const quantity quantity = mimo_quantity_of(name);
   selection chosen = {NULL, 0, NULL, 0, 0, 0};
@@ -44,7 +44,7 @@ static mxArray* rows_of(const selection* chosen, const double* values) {
   return array;
 }
 
-/* values = get(number, quantity, names or [], index): values x worlds, or those of one world; contacts x values */
+/* values = get(number, quantity, names or [], index): values x worlds, or the values of one world; contacts x values */
 static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   const mimo_env* world;
@@ -56,7 +56,7 @@ static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   world = nin == 4 ? mimo_world_at(all, nin, in, 3) : all->first;
   chosen = select_by_name(all, world, in[1], nin > 2 ? in[2] : NULL);
   if (chosen.each > 0 && nin < 4 && all->count > 1)
-    mimo_refuse("index: each of %.0f worlds has contacts of its own; say of which", (double)all->count);
+    mimo_refuse("index: each of %.0f worlds has its own contacts; name one", (double)all->count);
   values = mxCreateDoubleMatrix(chosen.width, nin == 4 ? 1 : all->count, mxREAL);
   if (nin == 4 || all->count == 1) {
     mimo_check(mimo_env_get(world, chosen.quantity, chosen.ids, chosen.count, mxGetPr(values), chosen.width));
@@ -67,7 +67,7 @@ static void get(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = chosen.each > 0 ? rows_of(&chosen, mxGetPr(values)) : values;
 }
 
-/* Values of all worlds, or of one for all. */
+/* Values for each world, or the values of one for all. */
 static void set_selected(const selection* chosen, const double* values, size_t given) {
   const size_t worlds = chosen->all->count;
   size_t world;
@@ -107,7 +107,7 @@ static void set_one(worlds* all, int32_t quantity, int32_t id, const double* val
   set_selected(&chosen, values, width);
 }
 
-/* names = names(number, kind): a cell array; "" where the model gives none */
+/* names = names(number, kind): a cell array; "" if the model gives none */
 static void names(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   size_t count = 0, i;
@@ -148,7 +148,7 @@ static void update(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-/* seconds = time(number): a column a world */
+/* seconds = time(number): a column for each world */
 static void seconds(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   size_t i;
@@ -163,7 +163,7 @@ static void seconds(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-/* states = save(number): uint8, a column a world */
+/* states = save(number): uint8, a column for each world */
 static void save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   size_t bytes = 0;
@@ -175,12 +175,13 @@ static void save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_state_save(all->batch, NULL, 0, mxGetData(out[0]), bytes * all->count));
 }
 
-/* struct = load(number, states): a column a world, or one for all; gives names of what started fresh or was left */
+/* struct = load(number, states): a column for each world, or one for all; returns names of fresh and ignored memories
+ */
 static void load(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   mimo_load_report report = {0};
   (void)nout;
-  mimo_need(nin == 2 && mxIsUint8(in[1]) && !mxIsComplex(in[1]), "expected a world and bytes that mimo_save gave");
+  mimo_need(nin == 2 && mxIsUint8(in[1]) && !mxIsComplex(in[1]), "expected a world and bytes of mimo_save");
   all = mimo_worlds_of(in[0]);
   if (!mimo_is_vector(in[1]) && mxGetN(in[1]) != all->count)
     mimo_refuse("states has %.0f columns, expected one, or one for each of %.0f worlds", (double)mxGetN(in[1]),
@@ -210,7 +211,7 @@ static void face(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = mxCreateString(name);
 }
 
-/* lock(number, joint, angle or []): in all worlds; [] lets it go */
+/* lock(number, joint, angle or []): in all worlds; [] releases it */
 static void lock(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   int32_t joint;
@@ -230,7 +231,7 @@ static void lock(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   set_one(all, MIMO_JOINT_LOCK, joint, values, 2);
 }
 
-/* angle = locked(number, joint): of the first world; [] if it is not held */
+/* angle = locked(number, joint): of the first world; [] if it is not locked */
 static void locked(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   int32_t joint;

@@ -1,4 +1,4 @@
-/* Arrays: C has them row by row, MATLAB column by column. */
+/* Arrays, which C has row by row and MATLAB column by column; and structs. */
 #include "mimo_arrays.h"
 
 size_t mimo_elements(const mimo_field* field) {
@@ -17,7 +17,7 @@ size_t mimo_place_of(const mimo_field* field, size_t i) {
   return place;
 }
 
-/* MATLAB has at least two dimensions, and worlds are one more where there are several. */
+/* MATLAB has at least two dimensions, and several worlds are one more. */
 static size_t dimensions_of(const mimo_field* field, size_t worlds) {
   const size_t count = field->ndim + (worlds > 1);
   return count < 2 ? 2 : count;
@@ -71,7 +71,7 @@ static void put(mxArray* array, size_t place, double value) {
   }
 }
 
-/* Row by row: within one of C's rows all places are equally far apart. */
+/* Row by row: the elements of a row of C have a constant distance here. */
 static void fill(mxArray* array, size_t first, const mimo_field* field, const void* data) {
   const size_t count = mimo_elements(field), row = field->shape[field->ndim - 1];
   size_t i, j;

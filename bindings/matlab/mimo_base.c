@@ -1,8 +1,7 @@
 /*
- * Errors, arguments, and the tables of scenes and worlds.
- *
- * Both are numbered; a number is what MATLAB holds. They live in tables of this file, which is locked in memory while
- * there are any, so that "clear all" does not lose them. Scenes have the numbers after those of worlds.
+ * Errors, arguments, and the tables of scenes and worlds. * * MATLAB holds numbers of scenes and worlds. Tables in this
+ * file have the handles. While there are any, the gateway is locked in memory, so that "clear all" does not lose them.
+ * Numbers of scenes follow those of worlds.
  */
 #include "mimo_base.h"
 
@@ -24,7 +23,7 @@ void mimo_making(mimo_scene* scene) {
   making = scene;
 }
 
-/* Whether the text up to `at` ends with a word that is followed by a number counted from 0: "world 0". */
+/* Whether the text up to `at` ends with a word whose number the library counts from 0: "world 0". */
 static int counts(const char* text, const char* at) {
   static const char* words[] = {"action", "actuator", "agent",  "body", "camera", "field",
                                 "geom",   "joint",    "sensor", "site", "world"};
@@ -40,8 +39,8 @@ static int counts(const char* text, const char* at) {
   return 0;
 }
 
-/* A message of the library's as MATLAB counts: "world 0: action[1] is 2" is "world 1: action(2) is 2". What is quoted
-   is a name, and stays. */
+/* A message of the library in MATLAB's counting: "world 0: action[1] is 2" becomes "world 1: action(2) is 2". Quoted
+ * names stay unchanged. */
 static void count_from_one(const char* from, char* to, size_t capacity) {
   const char* text = from;
   size_t used = 0;
@@ -102,7 +101,7 @@ void mimo_need_first(int done, const char* message) {
 char* mimo_text(const mxArray* text, const char* what) {
   if (text == NULL || !mxIsChar(text)) mimo_refuse("%s: expected a text", what);
   if (mxGetNumberOfElements(text) > 0 && mxGetM(text) != 1)
-    mimo_refuse("%s: expected a text in one row, and there are %.0f rows", what, (double)mxGetM(text));
+    mimo_refuse("%s: expected a text in one row, not in %.0f rows", what, (double)mxGetM(text));
   return mxArrayToString(text); /* MATLAB frees it at the end of the call */
 }
 
@@ -128,7 +127,7 @@ const mxArray* mimo_full(const mxArray* values) {
 double mimo_number(const mxArray* number, const char* what) {
   if (number == NULL || (!mxIsNumeric(number) && !mxIsLogical(number)) || mxGetNumberOfElements(number) != 1)
     mimo_refuse("%s: expected a number", what);
-  if (mxIsComplex(number)) mimo_refuse("%s: expected a real number, and it is complex", what);
+  if (mxIsComplex(number)) mimo_refuse("%s: expected a real number, not a complex one", what);
   return mxGetScalar(mimo_full(number));
 }
 
@@ -146,7 +145,7 @@ const double* mimo_numbers(const mxArray* values, const char* what) {
   size_t i;
   if (values == NULL || (!mxIsDouble(values) && !mxIsSingle(values)))
     mimo_refuse("%s: expected numbers, double or single", what);
-  if (mxIsComplex(values)) mimo_refuse("%s: expected real numbers, and they are complex", what);
+  if (mxIsComplex(values)) mimo_refuse("%s: expected real numbers, not complex ones", what);
   values = mimo_full(values);
   if (mxIsDouble(values)) return mxGetPr(values);
   from = mxGetData(values);
@@ -155,7 +154,7 @@ const double* mimo_numbers(const mxArray* values, const char* what) {
   return wide;
 }
 
-/* "2 x 3", of as many dimensions as there are. */
+/* "2 x 3", with all dimensions. */
 static const char* size_of(const mxArray* values) {
   static char text[128];
   const mwSize* sizes = mxGetDimensions(values);
@@ -184,7 +183,7 @@ const double* mimo_matrix(const mxArray* values, const char* what, size_t rows, 
   return numbers;
 }
 
-/* Where it stands in its table, or -1: a table's numbers follow the first. */
+/* Index in a table whose numbers start with `first`, or -1. */
 static int place_of(double number, int first) {
   return number >= first && number < first + kTable && number == floor(number) ? (int)number - first : -1;
 }
@@ -202,7 +201,7 @@ static mimo_scene** find_scene(double number) {
 static void refuse_handle(const char* expected, double number) {
   const char* what = find_worlds(number) != NULL ? "a world" : find_scene(number) != NULL ? "a scene" : NULL;
   if (what != NULL) mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "%g is %s, expected a %s", number, what, expected);
-  mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "there is no %s %g; it was closed, or never made", expected, number);
+  mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "there is no %s %g; it was closed or never existed", expected, number);
 }
 
 worlds* mimo_any_worlds_of(const mxArray* number) {
@@ -276,13 +275,13 @@ static void free_worlds(worlds* all) {
 worlds* mimo_new_worlds(void) {
   size_t i;
   for (i = 0; i < kTable && table[i].batch != NULL; ++i) continue;
-  mimo_need(i < kTable, "there are 256 worlds already; close some");
+  mimo_need(i < kTable, "there are already 256 worlds; close some");
   return &table[i];
 }
 
 double mimo_number_of(const worlds* all) { return (double)(all - table + 1); }
 
-/* Asks what the worlds are. */
+/* Asks the library about new worlds. */
 static mimo_status describe(worlds* all) {
   mimo_status status = mimo_batch_world(all->batch, 0, &all->first);
   all->sizes.struct_size = sizeof all->sizes;
@@ -292,7 +291,7 @@ static mimo_status describe(worlds* all) {
   return status;
 }
 
-/* Room for so many, at least for one: what has no length is there all the same. */
+/* Allocates one element more than needed, so that an empty array is not NULL. */
 #define ROOM(member, count) ((member = calloc((count) + 1, sizeof *(member))) != NULL)
 
 static int room_for_results(mimo_batch_results* results) {
@@ -329,7 +328,7 @@ void mimo_keep_worlds(worlds* all, int final_blocks) {
 double mimo_new_scene(void) {
   size_t i;
   for (i = 0; i < kTable && scenes[i] != NULL; ++i) continue;
-  mimo_need(i < kTable, "there are 256 scenes already; close some");
+  mimo_need(i < kTable, "there are already 256 scenes; close some");
   return (double)(kTable + 1 + i);
 }
 

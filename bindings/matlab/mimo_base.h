@@ -1,19 +1,19 @@
 /*
- * What all parts of the gateway stand on: errors, arguments, and the tables of scenes and worlds. It calls none of
- * them.
+ * The base of all parts of the gateway: errors, arguments, and the tables of scenes and worlds. The parts
+ * with commands are
  *
- *   mimo_mex.c         takes a command to one of
- *   mimo_worlds.c      making and stepping worlds, which has
- *   mimo_scenes.c      make what they are made of, and that mimo_options.c read names and values;
- *   mimo_layout.c      what worlds observe, act with and are rewarded for;
- *   mimo_access.c      names and values of a world's things, states;
- *   mimo_recordings.c  runs in files;
- *   mimo_sight.c       where infants look, and pictures;
- *   mimo_engines.c     shapes, materials, textures, lights and poses for programs that draw themselves;
- *   mimo_report.c      what is to be known of a world, and of the library.
+ *   mimo_mex.c         the gateway itself, which finds a command in the others;
+ *   mimo_worlds.c      making, stepping and observing worlds;
+ *   mimo_scenes.c      scenes, and worlds made from them;
+ *   mimo_layout.c      descriptions of observations, actions and rewards, and observations;
+ *   mimo_access.c      names and values, states;
+ *   mimo_recordings.c  recordings;
+ *   mimo_sight.c       gaze and pictures;
+ *   mimo_engines.c     shapes, materials, textures, lights and poses for engines;
+ *   mimo_report.c      descriptions of worlds and of the library.
  *
- * Several of them need mimo_arrays.c (arrays in MATLAB's order), mimo_quantities.c (what can be read and set, by its
- * name) and mimo_messages.c (what the library has to say, until somebody asks).
+ * They use mimo_arrays.c (arrays and structs), mimo_options.c (names and values), mimo_words.c (words for constants)
+ * and mimo_messages.c (messages until MATLAB asks for them). mimo_tables.c is generated.
  */
 #ifndef MIMO_MATLAB_BASE_H
 #define MIMO_MATLAB_BASE_H
@@ -22,58 +22,57 @@
 #include <mimo/mimo.h>
 #include <stddef.h>
 
-/* What a number of MATLAB's stands for: a batch, most often of a single world. */
+/* The worlds that a number in MATLAB stands for: a batch, usually of a single world. */
 typedef struct worlds {
-  mimo_batch* batch; /* NULL: free for another */
-  mimo_env* first;   /* its world 0, which knows the names */
+  mimo_batch* batch; /* NULL: this place is free */
+  mimo_env* first;   /* world 0, which knows the names */
   const mimo_layout* layout;
   mimo_layout_info sizes; /* of one world */
-  mimo_growth usual;      /* what infants are beside their age */
+  mimo_growth usual;      /* growth of the infants, except their age */
   size_t count;
-  int sent;              /* whether a step was sent, which then has all that follows */
-  char *blocks, *finals; /* the last observations; those of episodes that ended, where steps start the next one */
+  int sent;              /* whether a step was sent; until it is received the library uses the members below */
+  char *blocks, *finals; /* the last observations; those of ended episodes, if steps start the next ones */
   float* actions;
-  mimo_recorder* recorder;    /* of one of them; NULL: none is recorded */
+  mimo_recorder* recorder;    /* of one world; NULL: none is recorded */
   mimo_batch_results results; /* of the last step */
 } worlds;
 
-/* A command: what it gives, and what it was given. A list of them ends with NULL. */
+/* A command, with its outputs and inputs. A list of commands ends with NULL. */
 typedef struct mimo_command {
   const char* name;
   void (*run)(int nout, mxArray* out[], int nin, const mxArray* in[]);
 } mimo_command;
 
-/* Raise an error with the identifier mimo:NAME of the status and the library's message, or with our own. Worlds,
-   joints, values... in the library's messages are counted from 0, in those that are raised from 1. */
+/* Raise an error with the identifier mimo:NAME of the status and the library's message, or with a message of the
+ * gateway. The library counts worlds, joints, values... from 0, MATLAB from 1. */
 void mimo_check(mimo_status status);
 void mimo_need(int good, const char* message);
 void mimo_refuse(const char* format, ...);
 
-/* Raises mimo:BUSY, MATLAB's MIMO_E_BUSY, unless another call that has to come first was made. */
+/* Raises mimo:BUSY (MIMO_E_BUSY) if another call has to come first. */
 void mimo_need_first(int done, const char* message);
 
-/* The same without an error: a message that counts from 1 (lost by the next one), and "NOT_FOUND", or "OK". */
+/* The same without an error: a message that counts from 1 (valid until the next call), and "NOT_FOUND", or "OK". */
 const char* mimo_counted(const char* message);
 const char* mimo_status_word(mimo_status status);
 
-/* Whatever is being made and would be lost if an error were raised now; NULL: nothing. */
+/* The scene that is being made, which an error would destroy; NULL: none. */
 void mimo_making(mimo_scene* scene);
 
-/* A place in the table that is free, and its number, which is what MATLAB will hold; raises an error if there is
-   none. */
+/* A free place in the table, and its number for MATLAB; raises an error if there is none. */
 worlds* mimo_new_worlds(void);
 double mimo_number_of(const worlds* all);
 
-/* Fills it, as soon as its batch is made; frees it if that fails. Final blocks are for steps that start episodes. */
+/* Fills it after its batch was made; frees it if that fails. Final blocks are for steps that start episodes. */
 void mimo_keep_worlds(worlds* all, int final_blocks);
 void mimo_close_all(void);
 
-/* The worlds of a number; raises mimo:BAD_HANDLE, or an error if they are still at work on a step that was sent. The
-   second gives them, at work or not. */
+/* The worlds of a number; raises mimo:BAD_HANDLE, or mimo:BUSY while a step that was sent runs. The second also returns
+ * busy worlds. */
 worlds* mimo_worlds_of(const mxArray* number);
 worlds* mimo_any_worlds_of(const mxArray* number);
 
-/* The same for scenes, whose numbers are others than those of worlds. What is kept is being made no more. */
+/* The same for scenes, whose numbers differ from those of worlds. A kept scene is no longer being made. */
 double mimo_new_scene(void);
 void mimo_keep_scene(double number, mimo_scene* scene);
 mimo_scene* mimo_scene_of(const mxArray* number);
@@ -82,20 +81,20 @@ mimo_scene* mimo_scene_of(const mxArray* number);
 void mimo_close_worlds(worlds* all);
 void mimo_close_number(const mxArray* number);
 
-/* One of them, or one of their agents: `at` is an entry of the arguments; without it the first. */
+/* One of the worlds, or one of their agents: `at` is the index of an argument; without that argument the first. */
 mimo_env* mimo_world_at(worlds* all, int nin, const mxArray* in[], int at);
 size_t mimo_agent_at(const worlds* all, int nin, const mxArray* in[], int at);
 
-/* What something is called in the model; "" where it has no name. */
+/* The name of an element in the model; "" if it has none. */
 mxArray* mimo_name_of(const worlds* all, int32_t kind, int32_t id);
 
-/* A text or a number out of an argument; `what` is for the message. */
+/* A text or a number from an argument; `what` names the argument in messages. */
 char* mimo_text(const mxArray* text, const char* what);
 const char** mimo_texts(const mxArray* texts, size_t* count, const char* what); /* a cell array, or one; NULL for [] */
 double mimo_number(const mxArray* number, const char* what);
 double mimo_whole(const mxArray* number, const char* what, double low, double high);
 
-/* The array itself, or of a sparse one, which has its numbers otherwise, a full copy that lasts as long as the call. */
+/* The array itself, or a full copy of a sparse one, which lasts as long as the call. */
 const mxArray* mimo_full(const mxArray* values);
 
 /* Real numbers, double or single, of a full or a sparse array, as doubles in MATLAB's order; they last as long as the
@@ -106,7 +105,7 @@ const double* mimo_vector(const mxArray* values, const char* what, size_t count)
 const double* mimo_matrix(const mxArray* values, const char* what, size_t rows, size_t columns, const char* meaning);
 int mimo_is_vector(const mxArray* values);
 
-/* A member of a struct of MATLAB's: anything, a text, a number, or an array of numbers. */
+/* Adds a member to a struct: any value, a text, a number, or an array of numbers. */
 void mimo_add(mxArray* to, const char* name, mxArray* value);
 void mimo_add_text(mxArray* to, const char* name, const char* text);
 void mimo_add_number(mxArray* to, const char* name, double value);

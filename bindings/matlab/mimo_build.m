@@ -1,7 +1,7 @@
 function mimo_build(libmimo)
 % MIMO_BUILD  Compiles the gateway, once.
-%   mimo_build('../libmimo') takes libmimo from a clone in which ./dev build was run; mimo_build() takes the one that is
-%   installed. The compiled gateway goes to the current folder; it finds the library again by itself.
+%   mimo_build('../libmimo') uses libmimo from a clone in which ./dev build was run; mimo_build() uses the installed one. The
+%   compiled gateway goes to the current folder. It finds the library by itself.
 here = fileparts(mfilename('fullpath'));
 sources = dir(fullfile(here, '*.c'));
 sources = cellfun(@(name) fullfile(here, name), {sources.name}, 'UniformOutput', false);

@@ -1,5 +1,5 @@
 function mimo_close(world)
-% MIMO_CLOSE  Frees a world, or a scene.
-%   mimo_close(world) frees what mimo_create or mimo_scene made. Its number stands for nothing then.
+% MIMO_CLOSE  Frees a world or a scene.
+%   mimo_close(world) frees a number that mimo_create or mimo_scene returned. The number is invalid afterwards.
 mimo_mex('close', world);
 end

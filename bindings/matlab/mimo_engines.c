@@ -1,4 +1,4 @@
-/* What engines draw themselves: shapes, materials, textures, lights, poses, frames. */
+/* Commands for engines: shapes, materials, textures, lights, poses, frames. */
 #include "mimo_engines.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ static int32_t read_id(const mxArray* number, const char* what) {
   return (int32_t)mimo_whole(number, what, 0, 2147483647.0) - 1;
 }
 
-/* `rows` numbers for each of `count`, as an array of doubles. */
+/* An array of doubles with `count` columns of `rows` numbers. */
 static mxArray* rows_of(const float* values, size_t rows, size_t count) {
   mxArray* array = mxCreateDoubleMatrix(rows, count, mxREAL);
   size_t i;
@@ -64,7 +64,7 @@ static void appearance(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mxSetField(out[0], 0, "texture", mxCreateDoubleScalar(look.texture + 1));
 }
 
-/* [pixels, type] = texture(number, id, index); of the id 0: how many there are */
+/* [pixels, type] = texture(number, id, index); for the id 0 the number of textures */
 static void texture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_texture wanted = {0};
   size_t count = 0;
@@ -87,7 +87,7 @@ static void texture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   if (nout > 1) out[1] = mxCreateString(mimo_word_for(wanted.type, &mimo_texture_type_words));
 }
 
-/* struct = light(number, id, axes, index); the id 0 is the light that cameras carry */
+/* struct = light(number, id, axes, index); the id 0 is the headlight */
 static void light(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_light now = {0};
   (void)nout;

@@ -1,4 +1,4 @@
-/* What engines draw themselves. */
+/* Commands for engines. */
 #ifndef MIMO_MATLAB_ENGINES_H
 #define MIMO_MATLAB_ENGINES_H
 

@@ -1,4 +1,4 @@
-/* What worlds observe, act with and are rewarded for: the description, and the observations themselves. */
+/* Commands for descriptions of observations, actions and rewards, and for the observations themselves. */
 #include "mimo_layout.h"
 
 #include <string.h>
@@ -21,11 +21,11 @@ static size_t index_of(const worlds* all, const mxArray* name) {
   return index;
 }
 
-/* Whatever the locale is. */
+/* Independent of the locale. */
 static int is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 static int is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/* "touch/force" becomes touch_force: names of MATLAB's members have letters, digits and _, a letter first. */
+/* "touch/force" becomes touch_force: members in MATLAB start with a letter, and have letters, digits and _. */
 static void member_name(const char* path, char name[kName]) {
   size_t used = 0;
   if (!is_letter(path[0])) name[used++] = 'x';
@@ -123,7 +123,7 @@ static void layout(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add_number(out[0], "block_bytes", (double)all->sizes.block_bytes);
 }
 
-/* The field that (number, field) asks for. */
+/* The field of the arguments (number, field). */
 static mimo_field field_asked(int nin, const mxArray* in[], const worlds** all, size_t* index) {
   mimo_need(nin == 2, "expected a world and a field");
   *all = mimo_any_worlds_of(in[0]);
@@ -174,7 +174,7 @@ static void directions(int nout, mxArray* out[], int nin, const mxArray* in[]) {
       mxGetPr(out[0])[axis * height * width + pixel % width * height + pixel / width] = rows[pixel * 3 + axis];
 }
 
-/* values = receptors(number, field, quantity): a row a receptor */
+/* values = receptors(number, field, quantity): a row for each receptor */
 static void receptors(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const worlds* all;
   int32_t quantity;
@@ -206,10 +206,10 @@ static void observation(int nout, mxArray* out[], int nin, const mxArray* in[]) 
   precision = mimo_text(in[1], "precision");
   which = mimo_text(in[2], "which");
   mimo_need(strcmp(precision, "double") == 0 || strcmp(precision, "single") == 0,
-            "the precision is 'double' or 'single'");
-  mimo_need(strcmp(which, "last") == 0 || strcmp(which, "final") == 0, "which observation is 'last' or 'final'");
+            "precision: expected 'double' or 'single'");
+  mimo_need(strcmp(which, "last") == 0 || strcmp(which, "final") == 0, "which: expected 'last' or 'final'");
   mimo_need(which[0] == 'l' || all->finals != NULL,
-            "only with the option autoreset 'same_step' there are final observations");
+            "which is 'final', but only worlds with the option autoreset 'same_step' have final observations");
   blocks.data = which[0] == 'l' ? all->blocks : all->finals;
   blocks.bytes = all->sizes.block_bytes;
   blocks.count = all->count;
@@ -222,7 +222,7 @@ static void observation(int nout, mxArray* out[], int nin, const mxArray* in[]) 
   }
 }
 
-/* bytes = block(number): the observation as the library wrote it, a column a world */
+/* bytes = block(number): the observation as the library wrote it, a column for each world */
 static void block(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const worlds* all;
   (void)nout;

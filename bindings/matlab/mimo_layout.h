@@ -1,4 +1,4 @@
-/* What worlds observe, act with and are rewarded for. */
+/* Commands for descriptions of observations, actions and rewards, and for observations. */
 #ifndef MIMO_MATLAB_LAYOUT_H
 #define MIMO_MATLAB_LAYOUT_H
 
@@ -6,7 +6,7 @@
 
 extern const mimo_command mimo_layout_commands[];
 
-/* The field that has another one's name once both are written as MATLAB writes names: "a/b" and "a_b"; or NULL. */
+/* A field that has the same name in MATLAB as another field, as "a/b" and "a_b" do; or NULL. */
 const char* mimo_ambiguous_field(const worlds* all);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * Messages of the library. It tells them in the middle of a call, where MATLAB must not be called: its errors would
- * jump over the library. So they wait here.
+ * Messages of the library. They come in the middle of a call, where the gateway must not call MATLAB, whose errors
+ * would jump over the library. So they wait here.
  */
 #include "mimo_messages.h"
 
@@ -19,7 +19,7 @@ typedef struct message {
   char text[kLength];
 } message;
 
-/* A ring: where it is full, the oldest message goes. */
+/* A ring: if it is full, the oldest message goes. */
 static message kept[kKept];
 static size_t oldest, count;
 
@@ -40,7 +40,7 @@ void mimo_keep_message(void* user, const mimo_log_record* record) {
   snprintf(to->text, sizeof to->text, "%s", mimo_counted(record->text));
 }
 
-/* Empty where a message comes from no world. */
+/* Empty if the message comes from no world. */
 static mxArray* of_world(const message* from, double value) {
   return from->in_world ? mxCreateDoubleScalar(value) : mxCreateDoubleMatrix(0, 0, mxREAL);
 }

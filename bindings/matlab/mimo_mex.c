@@ -1,6 +1,6 @@
 /*
- * The gateway from MATLAB and Octave to libmimo: mimo_mex('command', arguments...). The .m files beside it are what
- * one calls; mimo_build compiles it, with MATLAB's mex or with mkoctfile --mex.
+ * The gateway from MATLAB and Octave to libmimo: mimo_mex('command', arguments...). Users call the .m files of this
+ * folder. mimo_build compiles it, with MATLAB's mex or with mkoctfile --mex.
  */
 #include <string.h>
 

@@ -1,6 +1,6 @@
 function varargout = mimo_mex(varargin)
-% MIMO_MEX  The gateway to libmimo, which mimo_build compiles; what runs here is what is found where it is missing.
-%   varargout = mimo_mex(command, value, ...) is for the other functions of this folder, which say what they do.
+% MIMO_MEX  The gateway to libmimo, which mimo_build compiles. This file finds it if it is not on the path yet.
+%   varargout = mimo_mex(command, value, ...) is for the other functions of this folder, whose help explains them.
 name = ['mimo_mex.' mexext()];
 folders = [{pwd()}, strsplit(path(), pathsep())];
 there = cellfun(@(folder) exist(fullfile(folder, name), 'file') > 0, folders);

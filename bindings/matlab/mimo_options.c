@@ -1,4 +1,4 @@
-/* Options, by the names that the members of mimo.h's structs have. */
+/* Options, named like the members of mimo.h's structs. */
 #include "mimo_options.h"
 
 #include <stdint.h>
@@ -53,7 +53,7 @@ int mimo_has(const properties* given, const char* name) { return place_of(given,
 const mxArray* mimo_take(properties* given, const char* name) {
   const mxArray* value = NULL;
   size_t i;
-  while ((i = place_of(given, name)) < given->count) { /* of several the last one counts */
+  while ((i = place_of(given, name)) < given->count) { /* if it is given twice, the last value counts */
     value = given->values[i];
     for (--given->count; i < given->count; ++i) {
       given->names[i] = given->names[i + 1];
@@ -79,7 +79,7 @@ void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray
   memcpy(to, mimo_vector(value, name, count), count * sizeof *to);
 }
 
-/* One number may be of any class, several are double or single. */
+/* A single number may have any class, several are double or single. */
 static void set_numbers(double* to, size_t count, const char* name, const mxArray* value) {
   if (count == 1)
     *to = mimo_number(value, name);

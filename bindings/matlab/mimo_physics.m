@@ -1,6 +1,5 @@
 function mimo_physics(world, steps)
-% MIMO_PHYSICS  Bare physics, with the motors as they are.
-%   mimo_physics(world, steps) runs so many physics steps, of the time step that mimo_info tells, in all worlds: no senses, no
-%   task.
+% MIMO_PHYSICS  Bare physics, with unchanged motors.
+%   mimo_physics(world, steps) makes a number of physics steps in all worlds, without senses and task. mimo_info has their length.
 mimo_mex('physics', world, steps);
 end

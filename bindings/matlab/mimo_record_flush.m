@@ -1,5 +1,5 @@
 function mimo_record_flush(world)
-% MIMO_RECORD_FLUSH  Puts all that was recorded of a world on its way to the disk.
-%   mimo_record_flush(world) raises an error where something could not be written.
+% MIMO_RECORD_FLUSH  Writes everything recorded of a world to the file.
+%   mimo_record_flush(world) raises an error if something could not be written.
 mimo_mex('flush', world);
 end

@@ -1,6 +1,7 @@
 function info = mimo_recording(file)
-% MIMO_RECORDING  What a recording holds.
-%   info = mimo_recording(file) is a struct: steps, states, bodies (ages that infants had), step_seconds, format_version,
-%   same_build (whether this library recorded it), build, configuration, seed. Its numbers are read with h5read.
+% MIMO_RECORDING  The contents of a recording.
+%   info = mimo_recording(file) is a struct: steps, states, actions, agents, bodies (the number of ages of its infants),
+%   step_seconds, format_version, same_build (whether this library recorded it), build, this_build, configuration and seed.
+%   h5read reads its numbers.
 info = mimo_mex('recording', file);
 end

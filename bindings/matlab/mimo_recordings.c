@@ -1,4 +1,4 @@
-/* Runs in files: written while they happen, and played again. */
+/* Commands for recordings and their replay. */
 #include "mimo_recordings.h"
 
 #include <math.h>
@@ -14,19 +14,19 @@ static void record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout, (void)out;
   mimo_need(nin >= 3, "expected a world and a file");
   all = mimo_worlds_of(in[0]);
-  mimo_need_first(all->recorder == NULL, "one of these worlds is being recorded; mimo_record_end ends that");
+  mimo_need_first(all->recorder == NULL, "one of these worlds is being recorded; mimo_record_end ends the recording");
   given = mimo_pairs(nin - 3, in + 3);
   mimo_check(mimo_recorder_config_init(&config, sizeof config));
   mimo_set_all(&config, mimo_recorder_options, &given, "a recording");
   mimo_check(mimo_recorder_open(mimo_world_at(all, nin, in, 2), mimo_text(in[1], "file"), &config, &all->recorder));
 }
 
-/* The only argument: worlds of which one is being recorded. */
+/* The only argument: worlds one of which is being recorded. */
 static worlds* being_recorded(int nin, const mxArray* in[]) {
   worlds* all;
   mimo_need(nin == 1, "expected a world");
   all = mimo_worlds_of(in[0]);
-  mimo_need_first(all->recorder != NULL, "this world is not being recorded; mimo_record starts that");
+  mimo_need_first(all->recorder != NULL, "this world is not being recorded; mimo_record starts a recording");
   return all;
 }
 
@@ -45,7 +45,7 @@ static void end_record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_recorder_close(recorder));
 }
 
-/* A recording that errors do not leave open. */
+/* The open recording. Errors close it. */
 static mimo_recording* open_recording;
 
 static void check(mimo_status status) {
@@ -82,14 +82,14 @@ static void recording(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   close_file();
 }
 
-/* struct = replay(number, file, first, last, compare): from the state before step `first` to behind step `last` */
+/* struct = replay(number, file, first, last, compare): from the state before step `first` to the end of step `last` */
 static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_replay_report report = {0};
   size_t at = 0, last, steps;
   double first, end;
   worlds* all;
   (void)nout;
-  mimo_need(nin == 5, "expected a world, a file, steps and whether to compare fields");
+  mimo_need(nin == 5, "expected a world, a file, first and last step, and whether to compare fields");
   all = mimo_worlds_of(in[0]);
   first = mimo_whole(in[2], "first", 0, 9007199254740992.0);
   end = mimo_number(in[3], "last");

@@ -1,4 +1,4 @@
-/* Runs in files: written while they happen, and played again. */
+/* Commands for recordings and their replay. */
 #ifndef MIMO_MATLAB_RECORDINGS_H
 #define MIMO_MATLAB_RECORDINGS_H
 

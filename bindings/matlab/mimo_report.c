@@ -1,5 +1,4 @@
-/* What is to be known of worlds (what they are, times, failures, messages) and of the library (versions, names,
- * parameters). */
+/* Commands that describe worlds (info, timing, failures, messages) and the library (versions, names, parameters). */
 #include "mimo_report.h"
 
 #include <string.h>
@@ -42,7 +41,7 @@ static void info(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add(out[0], "agents", agents_of(all));
 }
 
-/* struct = timing(number), or timing(number, 'reset') to count anew */
+/* struct = timing(number), or timing(number, 'reset') to start counting again */
 static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const member* one;
   worlds* all;
@@ -67,7 +66,7 @@ static void timing(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-/* [messages, statuses] = failures(number): what became of each world in the last call; '' and 'OK' where all is well */
+/* [messages, statuses] = failures(number): the result of each world's last call; '' and 'OK' without an error */
 static void failures(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   mxArray* statuses;
@@ -86,11 +85,11 @@ static void failures(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   if (nout > 1) out[1] = statuses;
 }
 
-/* structs = messages(): what was said since somebody asked last */
+/* structs = messages(): the messages since the last call */
 static void messages(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   (void)in;
-  mimo_need(nin == 0, "expected nothing");
+  mimo_need(nin == 0, "expected no arguments");
   out[0] = mimo_take_messages();
 }
 
@@ -98,7 +97,7 @@ static void messages(int nout, mxArray* out[], int nin, const mxArray* in[]) {
 static void version(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   (void)in;
-  mimo_need(nin == 0, "expected nothing");
+  mimo_need(nin == 0, "expected no arguments");
   out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
   mimo_add_text(out[0], "library", mimo_version());
   mimo_add_text(out[0], "mujoco", mimo_mujoco_version());
@@ -131,18 +130,19 @@ static void known(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   kind = mimo_text(in[0], "kind");
   for (list = 0; list < kinds && strcmp(lists[list].kind, kind) != 0; ++list) continue;
   if (list == kinds)
-    mimo_refuse("kind is \"%s\", expected scene, room, task, face or material; or a world before it", kind);
+    mimo_refuse(
+        "kind is \"%s\", expected scene, room, task, face or material; other kinds need a world before the kind", kind);
   while (lists[list].name(count) != NULL) ++count;
   out[0] = mxCreateCellMatrix(count, 1);
   for (i = 0; i < count; ++i) mxSetCell(out[0], i, mxCreateString(lists[list].name(i)));
 }
 
-/* structs = parameters(), or parameters(scene) with the values that they have there */
+/* structs = parameters(), or parameters(scene) with their values in the scene */
 static void parameters(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_scene* scene;
   size_t count = 0, i;
   (void)nout;
-  mimo_need(nin <= 1, "expected nothing, or a scene");
+  mimo_need(nin <= 1, "expected no arguments, or a scene");
   scene = nin == 1 ? mimo_scene_of(in[0]) : NULL;
   mimo_check(mimo_parameter_count(&count));
   out[0] = mimo_structs(count, mimo_parameter_members);

@@ -1,4 +1,4 @@
-/* What is to be known of worlds and of the library. */
+/* Commands that describe worlds and the library. */
 #ifndef MIMO_MATLAB_REPORT_H
 #define MIMO_MATLAB_REPORT_H
 

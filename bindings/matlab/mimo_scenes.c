@@ -1,4 +1,4 @@
-/* Scenes: opened, added to, written down, made worlds of. */
+/* Commands for scenes, and how worlds are made from them. */
 #include "mimo_scenes.h"
 
 #include <ctype.h>
@@ -8,16 +8,16 @@
 #include "mimo_options.h"
 #include "mimo_words.h"
 
-/* What adds a thing to a scene, of what is given. It gives the thing's number where it has one, else 0. */
+/* Adds a thing with its options to a scene. Returns the thing's number, or 0 for things without a number. */
 typedef double (*adder)(mimo_scene* scene, properties* given);
 
-/* Agents are counted from 1; without a number it is the first. */
+/* Agents are counted from 1; the default is the first. */
 static size_t take_agent(properties* given) {
   const mxArray* value = mimo_take(given, "agent");
   return value == NULL ? 0 : (size_t)mimo_whole(value, "agent", 1, 2147483647.0) - 1;
 }
 
-/* How old it is, where that is said. */
+/* The growth, if any of its options is given. */
 static const mimo_growth* take_growth(properties* given, mimo_growth* growth) {
   mimo_check(mimo_growth_init(growth, sizeof *growth));
   if (!mimo_has_any(given, mimo_growth_options)) return NULL;
@@ -26,7 +26,7 @@ static const mimo_growth* take_growth(properties* given, mimo_growth* growth) {
   return growth;
 }
 
-/* A position counts where a place is said, so whoever gives one means it. The growth is where the config points to. */
+/* The library uses a position only with a place, so a given position sets the place. The config points to `growth`. */
 static mimo_agent_config take_agent_config(mimo_scene* scene, properties* given, mimo_growth* growth) {
   const int is_placed = mimo_has(given, "position") || mimo_has(given, "orientation");
   mimo_agent_config config;
@@ -71,7 +71,7 @@ static double add_model(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-/* A camera with a look_at is a new one. */
+/* A camera with look_at is a new one. */
 static double add_camera(mimo_scene* scene, properties* given) {
   mimo_camera_config config;
   mimo_check(mimo_camera_config_init(&config, sizeof config));
@@ -128,7 +128,7 @@ static double add_pose(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-/* A number of a part of the body, or of all of it. */
+/* Sets a number for a part of the body, or for all of it. */
 static double set_part(mimo_scene* scene, properties* given, const char* number, const char* what,
                        mimo_status (*set)(mimo_scene*, size_t, const char*, double)) {
   const size_t agent = take_agent(given);
@@ -152,7 +152,7 @@ static double set_sources(mimo_scene* scene, properties* given) {
   const double seconds = mimo_take_number(given, "seconds");
   double count;
   mimo_need(bodies != NULL, "count: expected a number");
-  mimo_set_all(NULL, mimo_no_options, given, "how much can be played");
+  mimo_set_all(NULL, mimo_no_options, given, "sources");
   count = mimo_whole(bodies, "count", 1, 64);
   mimo_check(mimo_scene_set_sources(scene, (size_t)count, seconds));
   return 0;
@@ -166,7 +166,7 @@ static double add_source_direction(mimo_scene* scene, properties* given) {
   mimo_need(from != NULL && along != NULL, "place, axis: expected three numbers each");
   mimo_read_numbers(place, 3, "place", from);
   mimo_read_numbers(axis, 3, "axis", along);
-  mimo_set_all(NULL, mimo_no_options, given, "a direction of a source");
+  mimo_set_all(NULL, mimo_no_options, given, "a source direction");
   mimo_check(mimo_scene_direct_source(scene, body, place, axis, directivity));
   return 0;
 }
@@ -174,7 +174,7 @@ static double add_source_direction(mimo_scene* scene, properties* given) {
 static double add_joint(mimo_scene* scene, properties* given) {
   const size_t agent = take_agent(given);
   const char* joint = mimo_take_text(given, "joint");
-  mimo_set_all(NULL, mimo_no_options, given, "a joint that is read");
+  mimo_set_all(NULL, mimo_no_options, given, "a joint");
   mimo_check(mimo_scene_read_joint(scene, agent, joint));
   return 0;
 }
@@ -202,7 +202,7 @@ static double add_motor_limits(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-/* Numbers of an age, or perfect eyes and nerves; then those that are given. Nothing given: as its growth says. */
+/* The maturity of an age, or perfect eyes and nerves, with the given numbers. Without options the growth decides. */
 static double add_maturity(mimo_scene* scene, properties* given) {
   const size_t agent = take_agent(given);
   const int is_given = given->count > 0;
@@ -218,7 +218,7 @@ static double add_maturity(mimo_scene* scene, properties* given) {
 
 static double add_room_temperature(mimo_scene* scene, properties* given) {
   const double celsius = mimo_take_number(given, "celsius");
-  mimo_set_all(NULL, mimo_no_options, given, "a room's temperature");
+  mimo_set_all(NULL, mimo_no_options, given, "a room temperature");
   mimo_check(mimo_scene_set_room_temperature(scene, celsius));
   return 0;
 }
@@ -282,16 +282,17 @@ static void scene_add(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_scene* scene;
   size_t i;
   (void)nout;
-  mimo_need(nin >= 2, "expected a scene, what is added, and names and values");
+  mimo_need(nin >= 2, "expected a scene, the kind of thing to add, and names and values");
   scene = mimo_scene_of(in[0]);
-  what = mimo_text(in[1], "what is added");
+  what = mimo_text(in[1], "what");
   given = mimo_pairs(nin - 2, in + 2);
   for (i = 0; i < sizeof things / sizeof *things && strcmp(things[i].name, what) != 0; ++i) continue;
-  if (i == sizeof things / sizeof *things) mimo_refuse("cannot add \"%s\"; see help mimo_scene_add", what);
+  if (i == sizeof things / sizeof *things)
+    mimo_refuse("what is \"%s\"; help mimo_scene_add lists the things that can be added", what);
   out[0] = mxCreateDoubleScalar(things[i].add(scene, &given));
 }
 
-/* A built-in scene by name, a file by a name that ends with .xml, or a document by itself. */
+/* The name of a built-in scene, the path of a file that ends with .xml, or a document. */
 static void set_start(mimo_scene_config* config, const char* start) {
   const size_t length = strlen(start);
   const char* first = start;
@@ -306,8 +307,8 @@ static void set_start(mimo_scene_config* config, const char* start) {
     config->name = start;
 }
 
-/* What a scene starts from, NULL for an empty world; takes its options out of those given. What there is to say about
-   it has the number. */
+/* Opens a scene, with `start` NULL an empty world, and takes its options out of `given`. Its messages get the number.
+ */
 static mimo_scene* open_scene(const mxArray* start, properties* given, double number) {
   mimo_scene_config config;
   mimo_scene* scene = NULL;
@@ -355,7 +356,7 @@ static void scene_save(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_scene_save(mimo_scene_of(in[0]), mimo_text(in[1], "folder")));
 }
 
-/* An element of a struct array after the other. */
+/* Adds each element of a struct array. */
 static void add_each(mimo_scene* scene, properties* given, const char* name, adder add) {
   const mxArray* all = mimo_take(given, name);
   size_t i;
@@ -380,7 +381,7 @@ static void add_parameters(mimo_scene* scene, properties* given) {
                                         mimo_number(mxGetCell(pairs, count + i), "parameters")));
 }
 
-/* The usual case in one call: a scene with its own infants, which have the options in common. */
+/* A scene with its own infants, which share the options. */
 static mimo_scene* furnished_scene(const mxArray* name, properties* given, double number, mimo_growth* growth) {
   mimo_scene* scene = open_scene(name, given, number);
   const mimo_agent_config agent = take_agent_config(scene, given, growth);

@@ -1,4 +1,4 @@
-/* Where infants look, and pictures for people. */
+/* Commands for gaze, and for pictures for people. */
 #include "mimo_sight.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ static void gaze(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_add_number(out[0], "miss", now.miss);
 }
 
-/* Whose eyes are to look, at what, and how: (number, point, 'eyes' or 'head', index, agent). */
+/* The arguments (number, point, 'eyes' or 'head', index, agent). */
 typedef struct look {
   mimo_env* env;
   size_t agent;
@@ -72,15 +72,16 @@ static void look_angles(int nout, mxArray* out[], int nin, const mxArray* in[]) 
   if (nout > 2) out[2] = errors;
 }
 
-/* Checked before there is memory for so many pixels. */
+/* Checked before memory for the pixels is allocated. */
 static uint32_t read_size(const mxArray* number, const char* what) {
   const double pixels = mimo_number(number, what);
   mimo_need(pixels >= 1 && pixels <= 4096 && pixels == floor(pixels),
-            "a picture has 1 to 4096 pixels in height and width");
+            "height, width: expected whole numbers from 1 to 4096");
   return (uint32_t)pixels;
 }
 
-/* height, width, and what looks: the name of a camera, '' for the free one, or a struct that says where that is. */
+/* The arguments height, width, and camera: the name of a camera, '' for the default free camera, or a struct that
+ * describes it. */
 static mimo_picture_config read_picture(const mxArray* in[]) {
   mimo_picture_config config;
   mimo_check(mimo_picture_config_init(&config, sizeof config));
@@ -98,7 +99,7 @@ static mimo_picture_config read_picture(const mxArray* in[]) {
   return config;
 }
 
-/* [rgb, depth, segmentation] = picture(number, height, width, camera, index): what is not asked for is not drawn */
+/* [rgb, depth, segmentation] = picture(number, height, width, camera, index): only used outputs are drawn */
 static void picture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_picture_config config;
   mimo_picture buffers = {0};
@@ -119,7 +120,7 @@ static void picture(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   if (nout > 2) out[2] = mimo_picture_of(buffers.segmentation, config.height, config.width, 1, MIMO_I32);
 }
 
-/* pixels = project(number, points, height, width, camera, index): of 3 x n points, 3 x n */
+/* pixels = project(number, points, height, width, camera, index): 3 x n for 3 x n points */
 static void project(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_picture_config config;
   const double* points;

@@ -1,4 +1,4 @@
-/* Where infants look, and pictures for people. */
+/* Commands for gaze, and for pictures for people. */
 #ifndef MIMO_MATLAB_SIGHT_H
 #define MIMO_MATLAB_SIGHT_H
 

@@ -1,4 +1,4 @@
-/* Making, stepping, observing. */
+/* Commands for making, stepping and observing worlds. */
 #include "mimo_worlds.h"
 
 #include <math.h>
@@ -9,14 +9,14 @@
 #include "mimo_options.h"
 #include "mimo_scenes.h"
 
-/* Whoever makes a field "a_b" beside "a/b" learns so before one of them is missing. */
+/* Fields "a_b" and "a/b" would be the same member of an observation. */
 static void refuse_ambiguous(worlds* all) {
   const char* field = mimo_ambiguous_field(all);
   char name[128];
   if (field == NULL) return;
   snprintf(name, sizeof name, "%s", field);
   mimo_close_worlds(all);
-  mimo_refuse("field \"%s\" has the same name in MATLAB as another one", name);
+  mimo_refuse("field \"%s\" has the same name in MATLAB as another field", name);
 }
 
 /* number = create(scene, name, value, ...) */
@@ -38,14 +38,14 @@ static void close_number(int nout, mxArray* out[], int nin, const mxArray* in[])
   mimo_close_number(in[0]);
 }
 
-/* Numbers of MATLAB's are whole up to 2^53; its uint64 has all seeds. */
+/* Doubles are exact up to 2^53; uint64 has all seeds. */
 static uint64_t seed_of(double value) {
   mimo_need(value >= 0 && value <= 9007199254740992.0 && value == floor(value),
-            "a seed is a whole number from 0 to 2^53, or a uint64");
+            "seed: expected a whole number from 0 to 2^53, or a uint64");
   return (uint64_t)value;
 }
 
-/* One seed for each world; a single one means it and those that follow it. */
+/* One seed for each world; a single seed stands for itself and the numbers after it. */
 static uint64_t* read_seeds(const worlds* all, const mxArray* given) {
   const size_t count = mxGetNumberOfElements(given);
   const uint64_t* wide = mxIsUint64(given) && !mxIsComplex(given) ? mxGetData(given) : NULL;
@@ -53,9 +53,10 @@ static uint64_t* read_seeds(const worlds* all, const mxArray* given) {
   uint64_t* seeds;
   size_t i;
   if (count == 0) return NULL;
-  mimo_need(!mxIsSingle(given), "a seed is a double or a uint64: single numbers are whole up to 2^24 only");
+  mimo_need(!mxIsSingle(given), "seed: expected a double or a uint64; single is exact only up to 2^24");
   numbers = wide == NULL ? mimo_numbers(given, "seeds") : NULL;
-  mimo_need(count == 1 || (count == all->count && mimo_is_vector(given)), "expected a seed, or one for each world");
+  mimo_need(count == 1 || (count == all->count && mimo_is_vector(given)),
+            "seed: expected one number, or one for each world");
   seeds = mxCalloc(all->count, sizeof *seeds);
   for (i = 0; i < all->count; ++i) {
     const size_t at = count == 1 ? 0 : i;
@@ -64,13 +65,13 @@ static uint64_t* read_seeds(const worlds* all, const mxArray* given) {
   return seeds;
 }
 
-/* A byte for each world, or NULL for all of them. */
+/* A byte for each world, or NULL for all worlds. */
 static uint8_t* read_mask(const worlds* all, const mxArray* given) {
   uint8_t* mask;
   size_t i;
   if (mxIsEmpty(given)) return NULL;
   mimo_need(mxIsLogical(given) && mxGetNumberOfElements(given) == all->count && mimo_is_vector(given),
-            "a mask has a logical value for each world");
+            "mask: expected a logical value for each world");
   mask = mxCalloc(all->count, 1);
   for (i = 0; i < all->count; ++i) mask[i] = mxGetLogicals(mimo_full(given))[i];
   return mask;
@@ -95,7 +96,7 @@ static void reset(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_check(mimo_batch_reset(all->batch, &config, all->blocks, all->count * all->sizes.block_bytes));
 }
 
-/* The library has single precision. A column a world. */
+/* Converts actions to the library's single precision: a column for each world. */
 static size_t read_actions(worlds* all, const mxArray* actions) {
   const size_t count = mxGetNumberOfElements(actions);
   const double* numbers;
@@ -129,7 +130,7 @@ static mxArray* further_results(const worlds* all) {
   return more;
 }
 
-/* [reward, terminated, truncated, more]: agents x worlds, and a struct of what else a step gives */
+/* [reward, terminated, truncated, more]: agents x worlds, and a struct of further results */
 static void give_results(const worlds* all, int nout, mxArray* out[]) {
   out[0] = mxCreateDoubleMatrix(all->sizes.agents, all->count, mxREAL);
   memcpy(mxGetPr(out[0]), all->results.reward, all->results.agent_count * sizeof *all->results.reward);
@@ -138,7 +139,7 @@ static void give_results(const worlds* all, int nout, mxArray* out[]) {
   if (nout > 3) out[3] = further_results(all);
 }
 
-/* Begins a step with what MATLAB gave: mimo_batch_step, or mimo_batch_send. */
+/* Begins a step: mimo_batch_step, or mimo_batch_send. */
 typedef mimo_status (*stepper)(mimo_batch*, const float*, size_t, void*, size_t, const mimo_batch_results*);
 
 static worlds* begin_step(stepper begin, int nin, const mxArray* in[]) {
@@ -157,14 +158,14 @@ static void step(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   give_results(begin_step(mimo_batch_step, nin, in), nout, out);
 }
 
-/* send(number, actions): a step that goes on while MATLAB does something else */
+/* send(number, actions): a step that runs while MATLAB does something else */
 static void send(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   (void)out;
   begin_step(mimo_batch_send, nin, in)->sent = 1;
 }
 
-/* [reward, terminated, truncated, more] = receive(number): as step gives them */
+/* [reward, terminated, truncated, more] = receive(number): the results that step returns */
 static void receive(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   mimo_need(nin == 1, "expected a world");
@@ -175,7 +176,7 @@ static void receive(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   give_results(all, nout, out);
 }
 
-/* observe(number): the senses of the current state go to its block */
+/* observe(number): writes the observation of the current state to its block */
 static void observe(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   (void)nout;
@@ -195,7 +196,7 @@ static void follow(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 2, "expected a world and positions");
   all = mimo_worlds_of(in[0]);
-  if (all->count != 1) mimo_refuse("a known movement is for one world, and there are %.0f", (double)all->count);
+  if (all->count != 1) mimo_refuse("a known movement takes a single world, not %.0f", (double)all->count);
   mimo_check(mimo_batch_world(all->batch, 0, &env));
   mimo_check(mimo_env_width(env, MIMO_JOINT_VELOCITY, NULL, 0, &degrees));
   mimo_check(mimo_env_width(env, MIMO_JOINT_POSITION, NULL, 0, &joints));
@@ -227,7 +228,7 @@ static void physics(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-/* play(number, body, samples, rate): samples x 1, the same in all worlds, or a column for each */
+/* play(number, body, samples, rate): a column for all worlds, or a column for each */
 static void play(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   const char* body;
   const double* numbers;
@@ -257,13 +258,13 @@ static void play(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
-/* values = random(number, count): out of each world's own stream, count x worlds */
+/* values = random(number, count): from each world's own stream, count x worlds */
 static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   worlds* all;
   double count;
   size_t i;
   (void)nout;
-  mimo_need(nin == 2, "expected a world and how many numbers");
+  mimo_need(nin == 2, "expected a world and a number of values");
   all = mimo_worlds_of(in[0]);
   count = mimo_whole(in[1], "count", 0, 1e8);
   out[0] = mxCreateDoubleMatrix((size_t)count, all->count, mxREAL);

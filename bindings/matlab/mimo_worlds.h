@@ -1,4 +1,4 @@
-/* Making, stepping, observing. */
+/* Commands for making, stepping and observing worlds. */
 #ifndef MIMO_MATLAB_WORLDS_H
 #define MIMO_MATLAB_WORLDS_H
 

@@ -1,4 +1,4 @@
-% An episode of reaching with random movements, and what it was rewarded for. Needs bindings/matlab on the path.
+% An episode of reaching with random movements, and the terms of its reward. Needs bindings/matlab on the path.
 world = mimo_create('reach');
 [low, high] = mimo_bounds(world);
 observation = mimo_reset(world, 7);

@@ -1,5 +1,4 @@
-% Two infants of one's own choice in a room, one of whom holds a toy; four worlds of it. Needs bindings/matlab on
-% the path.
+% A scene of your own: two infants in a room, one of whom holds a toy, in four worlds. Needs bindings/matlab on the path.
 scene = mimo_scene();
 mimo_scene_add(scene, 'room', 'name', 'playroom');
 mimo_scene_add(scene, 'agent', 'name', 'anna', 'vision', {}, 'place', 'soles', 'position', [0 0 0]);
@@ -7,7 +6,7 @@ ben = mimo_scene_add(scene, 'agent', 'name', 'ben', 'body', 'fingers', 'face', '
                      'place', 'soles', 'position', [1 0 0], 'orientation', [0 0 0 1]);  % he faces her
 rattle = ['<mujoco><worldbody><body name="rattle"><geom type="capsule" size=".01 .04" mass=".02"/>' ...
           '<geom type="sphere" size=".02" pos="0 0 .05" mass=".02"/></body></worldbody></mujoco>'];
-hand = [0 -0.05 0 1 0 0 0];  % before the palm: position and quaternion in the frame of the hand
+hand = [0 -0.05 0 1 0 0 0];  % in front of the palm: position and quaternion in the frame of the hand
 mimo_scene_add(scene, 'model', 'name', 'toy', 'xml', rattle, 'position', [0.3 0 0.5]);
 mimo_scene_add(scene, 'weld', 'body', 'toy/rattle', 'other', 'anna/right_hand', 'pose', hand);
 mimo_scene_add(scene, 'skin', 'agent', ben, 'body', 'head', 'spacing', 0.005);

@@ -1,12 +1,12 @@
-% Tests of what arguments look like in MATLAB: shapes, sparse and complex arrays, classes, texts.
+% Tests of arguments: shapes, sparse and complex arrays, classes, texts.
 function all_of_them = argument_tests()
-  all_of_them = {@sparse_arrays_are_full, @sparse_options_are_full, @complex_ones_are_refused, @shapes_are_checked, ...
-                 @single_is_taken, @texts_have_one_row, @contacts_have_rows, @scenes_of_nothing_are_refused, ...
-                 @nobody_does_a_task, @whole_numbers_are_whole, @words_stand_for_constants};
+  all_of_them = {@sparse_arrays_equal_full_ones, @sparse_options_equal_full_ones, @complex_numbers_are_refused, @shapes_are_checked, ...
+                 @single_precision_is_accepted, @texts_have_one_row, @contacts_have_rows, @empty_scene_names_are_refused, ...
+                 @tasks_need_an_infant, @fractions_and_big_numbers_are_refused, @words_stand_for_constants};
 end
 
-% A sparse array keeps the numbers that are not 0 one behind the other: of these the second and the last.
-function sparse_arrays_are_full()
+% A sparse array stores only the numbers that are not 0, here the second and the last.
+function sparse_arrays_equal_full_ones()
   worlds = mimo_create('reach', 'worlds', 2);
   motors = numel(mimo_bounds(worlds));
   actions = zeros(motors, 2);
@@ -36,7 +36,7 @@ function sparse_arrays_are_full()
   mimo_close(many);
 end
 
-function sparse_options_are_full()
+function sparse_options_equal_full_ones()
   ball = struct('name', 'ball', 'position', sparse([0 0 2]), 'mass', sparse(3));
   world = mimo_create('free', 'vision', sparse(0), 'touch', 0, 'objects', ball, 'age', sparse(0));
   assert(isequal(mimo_get(world, 'body_position', 'ball'), [0; 0; 2]));
@@ -46,7 +46,7 @@ function sparse_options_are_full()
   mimo_close(world);
 end
 
-function complex_ones_are_refused()
+function complex_numbers_are_refused()
   worlds = mimo_create('reach', 'worlds', 2);
   motors = numel(mimo_bounds(worlds));
   refused_as(@() mimo_step(worlds, 1i * ones(motors, 2)), 'actions: expected real numbers');
@@ -62,7 +62,7 @@ function complex_ones_are_refused()
   mimo_close(worlds);
 end
 
-% What is transposed has as many numbers, in another order.
+% A transposed array has as many numbers, in another order.
 function shapes_are_checked()
   worlds = mimo_create('reach', 'worlds', 3);
   motors = numel(mimo_bounds(worlds));
@@ -74,7 +74,7 @@ function shapes_are_checked()
   refused_as(@() mimo_set(worlds, 'body_position', {'target', 'target'}, zeros(3, 6)), 'values is 3 x 6, expected 6 x 3');
   refused_as(@() mimo_set(worlds, 'body_position', {'target', 'target'}, zeros(2, 3)), 'values is 2 x 3, expected 6 x 1');
   refused_as(@() mimo_load(worlds, mimo_save(worlds)'), 'columns, expected one, or one for each of 3 worlds');
-  refused_as(@() mimo_reset(worlds, [1 2; 3 4]), 'a seed');
+  refused_as(@() mimo_reset(worlds, [1 2; 3 4]), 'seed: expected');
   mimo_close(worlds);
   world = mimo_create('reach');
   mimo_step(world, zeros(1, motors));
@@ -89,7 +89,7 @@ function shapes_are_checked()
 end
 
 % Half a metre is the same number in single precision.
-function single_is_taken()
+function single_precision_is_accepted()
   worlds = mimo_create('reach', 'worlds', 2);
   mimo_set(worlds, 'body_position', 'target', single([0.5; 0.25; 0.75]));
   assert(isequal(mimo_get(worlds, 'body_position', 'target'), [0.5 0.5; 0.25 0.25; 0.75 0.75]));
@@ -102,10 +102,10 @@ function single_is_taken()
   mimo_close(world);
 end
 
-% MATLAB has the letters of a char matrix column by column.
+% MATLAB stores the letters of a char matrix column by column.
 function texts_have_one_row()
   world = mimo_create('reach');
-  refused_as(@() mimo_get(world, 'body_position', ['head '; 'chest']), 'name: expected a text in one row, and there are 2 rows');
+  refused_as(@() mimo_get(world, 'body_position', ['head '; 'chest']), 'name: expected a text in one row, not in 2 rows');
   refused_as(@() mimo_create(['fr'; 'ee']), 'expected a text in one row');
   refused_as(@() mimo_create('free', 'face', ['fe'; 'ar']), 'face: expected a text in one row');
   refused_as(@() mimo_get(world, 'body_position', {'head', 5}), 'name: expected a text');
@@ -132,7 +132,7 @@ function contacts_have_rows()
   assert(max(abs(frame(1:3) - [0 0 1])) < 1e-9, mat2str(frame));
   impulse = mimo_get(worlds, 'step_contact_impulse', [], 1);
   assert(isequal(size(impulse), [1 3]) && isequal(size(mimo_get(worlds, 'step_contact_geoms', [], 1)), [1 2]));
-  refused_as(@() mimo_get(worlds, 'contact_force'), 'each of 2 worlds has contacts of its own');
+  refused_as(@() mimo_get(worlds, 'contact_force'), 'each of 2 worlds has its own contacts');
   mimo_set(worlds, 'body_position', 'ball', [0; 0; 5]);
   mimo_step(worlds, []);
   mimo_step(worlds, []);
@@ -141,12 +141,12 @@ function contacts_have_rows()
   mimo_close(scene);
 end
 
-function scenes_of_nothing_are_refused()
+function empty_scene_names_are_refused()
   refused_as(@() mimo_scene(''), 'mimo_scene() is an empty world');
   refused_as(@() mimo_create(''), 'expected a built-in scene');
 end
 
-function nobody_does_a_task()
+function tasks_need_an_infant()
   scene = mimo_scene('reach');
   refused_as(@() mimo_create(scene), 'mimo_scene_add_agents adds its infants');
   mimo_close(scene);
@@ -159,7 +159,7 @@ function nobody_does_a_task()
   mimo_close(scene);
 end
 
-function whole_numbers_are_whole()
+function fractions_and_big_numbers_are_refused()
   world = mimo_create('benchmark', 'vision', 0);
   refused_as(@() mimo_mesh(world, 1.5), 'geom is 1.5, expected a whole number');
   refused_as(@() mimo_mesh(world, 1, 'unity', -4), 'segments is -4');
@@ -168,7 +168,7 @@ function whole_numbers_are_whole()
   mimo_close(world);
 end
 
-% The bits are those of include/mimo/agent.h: FORCE 1, SLIP 4; position control is 1, a box 5. Numbers stay good.
+% The bits are those of include/mimo/agent.h: FORCE 1, SLIP 4; position control is 1, a box 5. Numbers are still accepted.
 function words_stand_for_constants()
   by_words = fields_with('touch', {'force', 'slip'});
   assert(isequal(by_words, fields_with('touch', 1 + 4)) && any(strcmp(by_words, 'touch/slip')));

@@ -1,10 +1,10 @@
-% Tests of what infants hear.
+% Tests of hearing.
 function all_of_them = hearing_tests()
-  all_of_them = {@own_voices_are_heard, @what_is_played_is_heard};
+  all_of_them = {@infants_hear_their_own_voice, @infants_hear_played_sounds};
 end
 
-% A cry is 82 dB at 1 m, 99 at the own ears: docs/guide/hearing.md. 0 dB are 20 micropascals.
-function own_voices_are_heard()
+% A cry has 82 dB at 1 m, and 99 dB at the infant's own ears: docs/guide/hearing.md. 0 dB are 20 micropascals.
+function infants_hear_their_own_voice()
   world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 'ears', 'voice', 1);
   names = {mimo_layout(world).actions.name};
   assert(isequal(names(end-3:end), {'voice:loudness', 'voice:pitch', 'voice:opening', 'voice:front'}));
@@ -18,7 +18,7 @@ function own_voices_are_heard()
   mimo_close(world);
 end
 
-function what_is_played_is_heard()
+function infants_hear_played_sounds()
   world = mimo_create('free', 'vision', 0, 'touch', 0, 'hearing', 'ears', 'voice', 1);
   mimo_play(world, 'head', sin(0.3 * (0:799)));
   seen = mimo_step(world, []);

@@ -1,11 +1,11 @@
-% Tests of what worlds observe and act with.
+% Tests of observations and actions.
 function all_of_them = layout_tests()
-  all_of_them = {@fields_lie_where_it_says, @labels_are_names, @late_fields_say_so, @nerves_take_time, ...
-                 @actions_are_described, @receptors_lie_on_the_skin, @fields_on_request, @members_are_told_apart};
+  all_of_them = {@fields_lie_at_their_offset, @labels_are_names, @delayed_fields_state_their_time, @nerve_delays_follow_the_age, ...
+                 @actions_are_described, @receptors_lie_on_the_skin, @fields_are_added_on_request, @ambiguous_members_are_refused};
 end
 
-% In the block, in C's order.
-function fields_lie_where_it_says()
+% A field lies in the block at its offset, in C's order.
+function fields_lie_at_their_offset()
   worlds = mimo_create('benchmark', 'worlds', 2, 'vision', {'rgb', 'depth', 'segmentation'}, 'vision_height', 8, 'vision_width', 16);
   seen = mimo_reset(worlds, 7);
   layout = mimo_layout(worlds);
@@ -52,8 +52,8 @@ function labels_are_names()
   mimo_close(world);
 end
 
-% Accelerations are those that the last physics step, of 5 ms, began with; a delay comes to that.
-function late_fields_say_so()
+% Accelerations belong to the start of the last physics step, of 5 ms; a delay adds to that.
+function delayed_fields_state_their_time()
   world = mimo_create('benchmark', 'vision', 0, 'touch', 0, 'limits', struct('path', 'vestibular', 'delay', 0.03));
   layout = mimo_layout(world);
   late = field_of(layout, 'vestibular/acceleration');
@@ -62,8 +62,8 @@ function late_fields_say_so()
   mimo_close(world);
 end
 
-% Late by the nerve of the part that a joint moves, and on its way through the brain, to the nearest time step of 5 ms.
-function nerves_take_time()
+% The delay is the time in the nerve of the part that a joint moves and in the brain, rounded to time steps of 5 ms.
+function nerve_delays_follow_the_age()
   newborn = mimo_maturity(0);
   assert(newborn.acuity == 0.70 && newborn.chroma == 0 && mimo_maturity(24).acuity == 11.1);
   refused(@() mimo_maturity(25), 'mimo:INVALID_ARGUMENT');
@@ -124,7 +124,7 @@ function actions_are_described()
   mimo_close(world);
 end
 
-% The skin of a sphere: 10 cm from its middle, looking away from it.
+% The skin of a sphere lies 10 cm from its middle, and its normals point away from it.
 function receptors_lie_on_the_skin()
   file = [tempname() '.xml'];
   text = fopen(file, 'w');
@@ -159,8 +159,8 @@ function receptors_lie_on_the_skin()
   mimo_close(world);
 end
 
-% A ball falls at g t. The box is turned by 90 degrees about z: what is at its -y is at -x of its own frame.
-function fields_on_request()
+% A ball falls at g t. The box is turned by 90 degrees about z: a point towards -y lies towards -x in its frame.
+function fields_are_added_on_request()
   scene = mimo_scene('free');
   mimo_scene_add(scene, 'agent', 'vision', 0, 'touch', 0);
   mimo_scene_add(scene, 'object', 'name', 'ball', 'position', [3 0 2]);
@@ -189,11 +189,11 @@ function fields_on_request()
   refused(@() mimo_create('free', 'fields', struct('name', 'tail', 'elements', 'tail')), 'mimo:NOT_FOUND');
 end
 
-% Names that differ in the library only.
-function members_are_told_apart()
+% Two names that differ in the library only.
+function ambiguous_members_are_refused()
   twins = struct('name', {'toys/head', 'toys_head'}, 'elements', 'head');
   said = message_of(@() mimo_create('free', 'vision', 0, 'touch', 0, 'fields', twins));
-  assert(strcmp(said, 'field "toys_head" has the same name in MATLAB as another one'), said);
+  assert(strcmp(said, 'field "toys_head" has the same name in MATLAB as another field'), said);
   world = mimo_create('free', 'vision', 0, 'touch', 0, 'fields', struct('name', '2nd', 'elements', 'head'));
   assert(isequal(size(mimo_reset(world, 1).x2nd), [1 3]));
   mimo_close(world);

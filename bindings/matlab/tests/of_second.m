@@ -1,4 +1,4 @@
-% its = of_second(values): what the second of two worlds has, whatever the size.
+% its = of_second(values): the values of the second of two worlds, for any size.
 function its = of_second(values)
   index = [repmat({':'}, 1, ndims(values) - 1), {2}];
   its = values(index{:});

@@ -1,9 +1,9 @@
 % Tests of recordings.
 function all_of_them = recording_tests()
-  all_of_them = {@programs_are_played_again, @what_is_no_recording};
+  all_of_them = {@runs_are_replayed, @other_files_are_no_recordings};
 end
 
-function programs_are_played_again()
+function runs_are_replayed()
   world = one_that_hears();
   twin = one_that_hears();
   file = [tempname() '.h5'];
@@ -39,7 +39,7 @@ function programs_are_played_again()
   delete(file);
 end
 
-function what_is_no_recording()
+function other_files_are_no_recordings()
   refused(@() mimo_recording('/nowhere/run.h5'), 'mimo:NOT_FOUND');
   world = one_that_hears();
   refused(@() mimo_record(world, '/nowhere/run.h5'), 'mimo:FILE');

@@ -1,11 +1,11 @@
-% Tests of what steps and resets give beside observations, and of messages.
+% Tests of the results of steps and resets, except observations, and of messages.
 function all_of_them = results_tests()
-  all_of_them = {@outcomes_and_terms, @failures_are_outcomes, @episodes_end_and_start, @seeds_and_masks, @goals_are_read, ...
-                 @messages_wait, @movements_are_followed};
+  all_of_them = {@steps_return_outcomes_and_terms, @failing_a_task_is_an_outcome, @autoreset_starts_episodes, @resets_take_seeds_and_masks, @goals_are_quantities, ...
+                 @messages_wait_until_read, @follow_returns_the_forces_of_a_movement};
 end
 
-% Reaching, of docs/tasks.md: 100 for the hand at the ball, else minus the distance.
-function outcomes_and_terms()
+% The rewards of reach, from docs/tasks.md: 100 for the hand at the ball, otherwise minus the distance.
+function steps_return_outcomes_and_terms()
   worlds = mimo_create('reach', 'worlds', 2);
   mimo_reset(worlds, 3);
   balls = mimo_get(worlds, 'body_position_now', 'target');
@@ -24,8 +24,8 @@ function outcomes_and_terms()
   mimo_close(worlds);
 end
 
-% Catching fails, at -100, when the ball is 50 cm away from the palm.
-function failures_are_outcomes()
+% Catch fails, with -100, when the ball is 50 cm away from the palm.
+function failing_a_task_is_an_outcome()
   world = mimo_create('catch');
   mimo_reset(world, 1);
   mimo_set(world, 'body_position', 'target', [1; 1; 1]);
@@ -35,8 +35,8 @@ function failures_are_outcomes()
   mimo_close(world);
 end
 
-% With autoreset same_step the last observation of an episode is the one that is seen without; the next one is that of a reset.
-function episodes_end_and_start()
+% With autoreset same_step the last observation of an episode equals the one without autoreset; the next one is a reset's.
+function autoreset_starts_episodes()
   plain = mimo_create('reach', 'worlds', 2);
   again = mimo_create('reach', 'worlds', 2, 'autoreset', 'same_step', 'parameters', {'reach/episode_steps', 1});
   late = mimo_create('reach', 'worlds', 2, 'autoreset', 'next_step', 'parameters', {'reach/episode_steps', 1});
@@ -58,7 +58,7 @@ function episodes_end_and_start()
   for world = [plain again late], mimo_close(world); end
 end
 
-function seeds_and_masks()
+function resets_take_seeds_and_masks()
   worlds = mimo_create('reach', 'worlds', 3);
   mimo_reset(worlds, [5 6 7]);
   six = mimo_random(worlds, 6);
@@ -76,8 +76,8 @@ function seeds_and_masks()
   mimo_close(worlds);
 end
 
-% What reaching wants is the hand at the ball.
-function goals_are_read()
+% The goal of reach is the ball.
+function goals_are_quantities()
   worlds = mimo_create('reach', 'worlds', 2);
   mimo_reset(worlds, 3);
   mimo_step(worlds, []);
@@ -86,8 +86,8 @@ function goals_are_read()
   mimo_close(worlds);
 end
 
-% An infant that starts inside of a box; and a box that lies on four corners where there is room for two contacts.
-function messages_wait()
+% An infant that starts inside a box; and a box with four contacts in a model with room for two.
+function messages_wait_until_read()
   mimo_messages();
   box = struct('name', 'block', 'shape', 'box', 'size', [.3 .3 .3], 'position', [0 0 .3], 'fixed', 1);
   world = mimo_create('free', 'vision', 0, 'touch', 0, 'place', 'soles', 'position', [0 0 0], 'objects', box);
@@ -121,8 +121,8 @@ function messages_wait()
   mimo_close(scene);
 end
 
-% Who is held still is held with its weight: at the third degree of freedom of its free joint.
-function movements_are_followed()
+% Holding an infant still takes its weight, at the third degree of freedom of its free joint.
+function follow_returns_the_forces_of_a_movement()
   world = mimo_create('free', 'vision', 0, 'touch', 0, 'frame_skip', 1);
   mimo_reset(world, 1);
   positions = mimo_get(world, 'joint_position');

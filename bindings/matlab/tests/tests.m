@@ -1,11 +1,11 @@
 % Tests of the MEX gateway: run with bindings/matlab and the compiled gateway on the path.
 function tests()
   all_of_them = {@shapes_and_precision, @order_is_column_major, @errors_have_identifiers, @worlds_survive_clear, ...
-                 @numbers_are_those_of_c, @options_reach_the_world, @senses_are_limited, @rooms_of_ones_own, @many_worlds, @states_continue, ...
-                 @names_read_and_write, @faces_show, @eyes_meet, @locks_and_gravity, @masses_and_contacts, ...
-                 @help_says_how_to_call, @messages_count_from_one, @robots_of_ones_own, ...
-                 @scenes_step_by_step, @metal_feels_colder_than_wood, @two_infants, @infants_of_any_age, @scenes_refuse, @library_and_worlds_tell, @failures_of_each_world, ...
-                 @worlds_move_on_their_own, @points_and_looks, @pictures_have_depth, @engines_see_it, @steps_in_two_halves};
+                 @rewards_equal_those_of_c, @options_reach_the_world, @senses_and_motors_have_limits, @own_rooms_take_objects_and_cameras, @many_worlds_equal_single_worlds, @states_continue_bit_for_bit, ...
+                 @quantities_are_read_and_written_by_name, @faces_show_in_pictures, @eyes_converge_on_a_point, @locks_and_gravity_are_set, @masses_and_contacts_obey_mechanics, ...
+                 @help_says_how_to_call, @messages_count_from_one, @own_robots_have_senses, ...
+                 @scenes_are_built_step_by_step, @metal_feels_colder_than_wood, @each_infant_has_its_own_options, @infants_have_any_age, @scenes_refuse_wrong_options, @library_and_worlds_describe_themselves, @failures_name_each_world, ...
+                 @single_worlds_of_a_batch_move, @points_and_appearances_are_read, @pictures_have_depth, @engines_get_meshes_and_poses, @send_and_receive_equal_a_step};
   all_of_them = [all_of_them, layout_tests(), results_tests(), hearing_tests(), recording_tests(), argument_tests()];
   failed = 0;
   for i = 1:numel(all_of_them)
@@ -31,9 +31,9 @@ function shapes_and_precision()
   mimo_close(world);
 end
 
-% A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006. Ours of
-% 18 months weighs 10.905 kg.
-function infants_of_any_age()
+% A median girl of 6 months weighs 7.297 kg, the mean infant of 18 months 10.585: WHO Child Growth Standards, 2006. The infant of
+% 18 months here weighs 10.905 kg.
+function infants_have_any_age()
   world = mimo_create('free', 'vision', 0, 'age', 6, 'sex', 'female');
   info = mimo_info(world);
   assert(abs(info.agents(1).mass - 7.297 / 10.585 * 10.905) < 0.04);
@@ -47,7 +47,7 @@ function infants_of_any_age()
   assert(~isempty(strfind(said, 'age is 24.5')), said);
 end
 
-% The bytes of a picture stand in the block in the order row, column, colour.
+% The bytes of a picture are in the block in the order row, column, colour.
 function order_is_column_major()
   world = mimo_create('benchmark');
   seen = mimo_reset(world, 7);
@@ -101,7 +101,7 @@ function worlds_survive_clear()
 end
 
 % The sum of rewards of tests/capi/same.c, which checks it in C with the same tolerance.
-function numbers_are_those_of_c()
+function rewards_equal_those_of_c()
   world = mimo_create('reach');
   mimo_reset(world, 7);
   motors = numel(mimo_bounds(world));
@@ -136,7 +136,7 @@ function options_reach_the_world()
   mimo_close(world);
 end
 
-function senses_are_limited()
+function senses_and_motors_have_limits()
   plain = mimo_create('reach');
   limited = mimo_create('reach', 'limits', struct('path', 'proprioception/velocity', 'gain', 2, 'delay', 0.01));
   first = mimo_reset(plain, 1);
@@ -178,7 +178,7 @@ function senses_are_limited()
   mimo_close(limited);
 end
 
-function rooms_of_ones_own()
+function own_rooms_take_objects_and_cameras()
   file = [tempname() '.xml'];
   text = fopen(file, 'w');
   fprintf(text, '<mujoco><option timestep="0.005"/><worldbody><geom name="floor" type="plane" size="2 2 .1"/></worldbody></mujoco>');
@@ -213,7 +213,7 @@ function rooms_of_ones_own()
 end
 
 % World i is a single world with the i-th seed and the i-th actions.
-function many_worlds()
+function many_worlds_equal_single_worlds()
   worlds = mimo_create('reach', 'worlds', 3, 'threads', 2);
   single = mimo_create('reach');
   motors = numel(mimo_bounds(worlds));
@@ -237,7 +237,7 @@ function many_worlds()
   mimo_close(worlds);
 end
 
-function states_continue()
+function states_continue_bit_for_bit()
   worlds = mimo_create('reach', 'worlds', 2);
   mimo_reset(worlds, 3);
   states = mimo_save(worlds);
@@ -252,7 +252,7 @@ function states_continue()
   mimo_close(worlds);
 end
 
-function names_read_and_write()
+function quantities_are_read_and_written_by_name()
   worlds = mimo_create('reach', 'worlds', 2);
   mimo_reset(worlds, 3);
   mimo_set(worlds, 'joint_position', 'robot:right_elbow', [-0.1 -0.2]);
@@ -263,7 +263,7 @@ function names_read_and_write()
   mimo_close(worlds);
 end
 
-function faces_show()
+function faces_show_in_pictures()
   world = mimo_create('free', 'vision', 0, 'touch', 0, ...
                       'cameras', struct('name', 'close', 'width', 48, 'height', 48, 'body', 'head', ...
                                         'position', [0.4 0 0.07], 'look_at', [0 0 0.07]));
@@ -276,7 +276,7 @@ function faces_show()
 end
 
 % The eyes' centres are 49 mm apart: 2 atan(0.0245 m / d) is the vergence at a distance d straight ahead.
-function eyes_meet()
+function eyes_converge_on_a_point()
   world = mimo_create('free', 'vision', 0, 'touch', 0);
   mimo_reset(world, 1);
   gaze = mimo_gaze(world);
@@ -289,8 +289,8 @@ function eyes_meet()
   mimo_close(world);
 end
 
-% Unity's x is to the right, its y up, its z forward; Unreal counts in centimetres.
-function engines_see_it()
+% Unity's x points to the right, its y up, its z forward; Unreal uses centimetres.
+function engines_get_meshes_and_poses()
   world = mimo_create('benchmark', 'vision', 0, 'touch', 0);
   mimo_reset(world, 1);
   head = find(strcmp(mimo_names(world, 'geom'), 'head'));
@@ -319,7 +319,7 @@ function engines_see_it()
   mimo_close(world);
 end
 
-function locks_and_gravity()
+function locks_and_gravity_are_set()
   worlds = mimo_create('benchmark', 'worlds', 2, 'vision', 0, 'touch', 0);
   assert(isempty(mimo_locked(worlds, 'robot:left_elbow')));
   mimo_lock(worlds, 'robot:left_elbow', -0.5);
@@ -331,8 +331,8 @@ function locks_and_gravity()
   mimo_close(worlds);
 end
 
-% v = F / m t in two worlds; and the impulse of a step's contacts is the change of momentum, less that of gravity.
-function masses_and_contacts()
+% v = F / m t in two worlds; and the impulse of a step's contacts is the change of momentum minus that of gravity.
+function masses_and_contacts_obey_mechanics()
   worlds = mimo_create('benchmark', 'worlds', 2, 'vision', 0, 'touch', 0, 'step_contacts', 1);
   mimo_set(worlds, 'body_position', 'test_object2', [3; 3; 5]);
   mimo_set(worlds, 'body_mass', 'test_object2', [0.5 4]);
@@ -361,7 +361,7 @@ function masses_and_contacts()
   mimo_close(worlds);
 end
 
-% Each function's help has a call with all its outputs, or with one of them, and sizes as MATLAB's arrays have them.
+% Each function's help has a call with its outputs and names its inputs; heights come before widths, as in MATLAB's arrays.
 function help_says_how_to_call()
   folder = fileparts(which('mimo_create'));
   files = dir(fullfile(folder, 'mimo_*.m'));
@@ -394,7 +394,7 @@ function help_says_how_to_call()
   end
 end
 
-% What the library counts from 0, MATLAB counts from 1; names stay as they are.
+% The library counts from 0, MATLAB from 1; quoted names do not change.
 function messages_count_from_one()
   worlds = mimo_create('reach', 'worlds', 3);
   actions = zeros(numel(mimo_bounds(worlds)), 3);
@@ -419,8 +419,8 @@ function messages_count_from_one()
   assert(strncmp(said, 'size(1) is -1', 13), said);
 end
 
-% Standard gravity, felt by what hangs still at the end of a robot's arm: 9.81 m/s^2 upwards.
-function robots_of_ones_own()
+% A sensor at the end of a robot's arm that hangs still feels standard gravity: 9.81 m/s^2 upwards.
+function own_robots_have_senses()
   file = [tempname() '.xml'];
   text = fopen(file, 'w');
   fprintf(text, ['<mujoco><worldbody><body name="arm" pos="0 0 1"><joint name="hinge" axis="0 1 0"/><geom type="capsule" ' ...
@@ -435,8 +435,8 @@ function robots_of_ones_own()
   delete(file);
 end
 
-% Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces that meet (J Appl Physiol 1957;11:211 has skin's effusivity)
-% through 350 W/(m^2 K) give 28.21 on copper, 30.26 on hardwood.
+% Skin of 33.0 degrees after 1 s on 10 degrees: two half-spaces in contact (J Appl Physiol 1957;11:211 has the effusivity of
+% skin) through 350 W/(m^2 K) give 28.21 degrees on copper and 30.26 on hardwood.
 function metal_feels_colder_than_wood()
   assert(abs(skin_on('copper') - 28.21) < 0.1);
   assert(abs(skin_on('hardwood') - 30.26) < 0.1);
@@ -450,7 +450,7 @@ function metal_feels_colder_than_wood()
   mimo_close(scene);
 end
 
-% The coldest sensor of a ball that has lain on such a table for a second. 256 is the bit of touch/temperature.
+% The coldest sensor of a ball after a second on a table of this material.
 function coldest = skin_on(material)
   table = '<body name="table"><geom type="box" size="1 1 .1" pos="0 0 -.1"/></body>';
   arm = '<body name="arm" pos="0 0 .0999"><freejoint/><geom size=".1"/></body>';
@@ -467,8 +467,8 @@ function coldest = skin_on(material)
   mimo_close(world);
 end
 
-% 0.5 s of free fall from 2 m end 1.23 m lower: what is welded to the world stays.
-function scenes_step_by_step()
+% A free fall from 2 m is 1.23 m after 0.5 s; a body that is welded to the world stays.
+function scenes_are_built_step_by_step()
   scene = mimo_scene();
   mimo_scene_add(scene, 'room', 'name', 'playroom');
   assert(mimo_scene_add(scene, 'agent', 'position', [0 0 5], 'orientation', [1 0 0 0], 'vision', 0) == 1);
@@ -518,8 +518,8 @@ function scenes_step_by_step()
   mimo_close(world);
 end
 
-% Each infant has options, skin and limits of its own.
-function two_infants()
+% Each infant has its own options, skin and limits.
+function each_infant_has_its_own_options()
   scene = mimo_scene('free');
   mimo_scene_add(scene, 'agent', 'name', 'anna', 'vision', 0, 'touch', 0, 'position', [0 0 0.33]);
   ben = mimo_scene_add(scene, 'agent', 'name', 'ben', 'body', 'fingers', 'vision', 0, 'touch', 'force', 'place', 'soles', ...
@@ -546,7 +546,7 @@ function two_infants()
   mimo_close(scene);
 end
 
-function scenes_refuse()
+function scenes_refuse_wrong_options()
   scene = mimo_scene('reach');
   world = mimo_create('free', 'vision', 0, 'touch', 0);
   refused(@() mimo_scene('nowhere'), 'mimo:NOT_FOUND');
@@ -563,7 +563,7 @@ function scenes_refuse()
   refused(@() mimo_step(scene, []), 'mimo:BAD_HANDLE');
   refused(@() mimo_create(world), 'mimo:BAD_HANDLE');
   said = message_of(@() mimo_scene_add(scene, 'toy'));
-  assert(strncmp(said, 'cannot add "toy"', 16), said);
+  assert(strncmp(said, 'what is "toy"', 13), said);
   said = message_of(@() mimo_scene_add(scene, 'lock', 'joint', 'robot:left_elbow', 'value', 0, 'vlaue', 1));
   assert(strcmp(said, 'no option vlaue of a lock'), said);
   said = message_of(@() mimo_scene_add(scene, 'weld', 'other', 'target'));
@@ -578,7 +578,7 @@ function scenes_refuse()
   mimo_close(world);
 end
 
-function library_and_worlds_tell()
+function library_and_worlds_describe_themselves()
   known = mimo_version();
   assert(~isempty(regexp(known.library, '^\d+\.\d+\.\d+(-rc\d+)?$', 'once')) && known.abi >= 0);
   assert(strcmp(known.mujoco, '2.2.2') && known.api >= 1000);
@@ -617,7 +617,7 @@ function library_and_worlds_tell()
   mimo_close(world);
 end
 
-function failures_of_each_world()
+function failures_name_each_world()
   worlds = mimo_create('reach', 'worlds', 3);
   actions = zeros(numel(mimo_bounds(worlds)), 3);
   actions(2, 3) = NaN;
@@ -628,7 +628,7 @@ function failures_of_each_world()
   mimo_close(worlds);
 end
 
-function worlds_move_on_their_own()
+function single_worlds_of_a_batch_move()
   worlds = mimo_create('reach', 'worlds', 2);
   mimo_reset(worlds, 3);
   numbers = mimo_random(worlds, 1000);
@@ -646,7 +646,7 @@ function worlds_move_on_their_own()
   mimo_close(worlds);
 end
 
-function points_and_looks()
+function points_and_appearances_are_read()
   world = mimo_create('free', 'vision', 0, 'touch', 0, ...
                       'cameras', struct('name', 'wall', 'height', 48, 'width', 64, 'position', [4 0 2], 'look_at', [0 0 0]));
   mimo_reset(world, 1);
@@ -666,7 +666,7 @@ function points_and_looks()
   mimo_close(world);
 end
 
-% From 2 m above a floor it is 2 m away, and all that is seen.
+% A camera 2 m above a floor sees nothing but the floor, 2 m away.
 function pictures_have_depth()
   file = [tempname() '.xml'];
   text = fopen(file, 'w');
@@ -690,7 +690,7 @@ function pictures_have_depth()
   mimo_close(world);
 end
 
-function steps_in_two_halves()
+function send_and_receive_equal_a_step()
   one = mimo_create('reach', 'worlds', 2);
   other = mimo_create('reach', 'worlds', 2);
   mimo_reset(one, 3);
