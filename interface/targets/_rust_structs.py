@@ -205,6 +205,8 @@ class Configs:
             return member.enum, f"self.raw.{name} = {name}.raw()"
         if switch(member):
             return "bool", f"self.raw.{name} = {name}.into()"
+        if "*" in member.type:
+            raise ValueError(f"_rust_structs.py knows no setter for {member.name}, a {member.type}")
         return member_type(member), f"self.raw.{name} = {name}"
 
 

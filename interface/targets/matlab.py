@@ -38,7 +38,12 @@ CONFIGS = {
 }
 # Members that the gateway sets by itself, or reads in a way of its own.
 NO_OPTIONS = (
+    "mimo_agent_config.growth",
+    "mimo_batch_config.cohort",
     "mimo_batch_config.cohort_count",
+    "mimo_env_config.log",
+    "mimo_env_config.log_user",
+    "mimo_field_config.elements",
     "mimo_field_config.quantity",
     "mimo_field_config.element_count",
     "mimo_growth.matures_apart",
@@ -47,6 +52,8 @@ NO_OPTIONS = (
     "mimo_picture_config.format",
     "mimo_scene_config.name",
     "mimo_scene_config.file",
+    "mimo_scene_config.log",
+    "mimo_scene_config.log_user",
     "mimo_scene_config.xml",
 )
 RENAMED = {"mimo_growth.model": "growth"}
@@ -70,6 +77,7 @@ NO_MEMBERS = (
     "mimo_field.dtype",
     "mimo_field.end",
     "mimo_field.ndim",
+    "mimo_field.shape",
     "mimo_field.start",
     "mimo_light.axes",
 )
@@ -101,11 +109,13 @@ def listed(struct) -> list:
     members = [
         member
         for member in struct.members
-        if member.type in KINDS
-        and member.name != "struct_size"
+        if member.name != "struct_size"
         and "reserved" not in member.name
         and f"{struct.name}.{member.name}" not in NO_OPTIONS + NO_MEMBERS
     ]
+    for member in members:
+        if member.type not in KINDS:
+            raise ValueError(f"matlab.py cannot convert {struct.name}.{member.name}, a {member.type}; NO_OPTIONS?")
     for i in range(1, len(members)):  # height, then width, as arrays of MATLAB have them
         if members[i - 1].name.endswith("width") and members[i].name.endswith("height"):
             members[i - 1], members[i] = members[i], members[i - 1]
