@@ -6,8 +6,6 @@
 
 #include "mimo_words.h"
 
-const member mimo_no_options[] = {{NULL, kText, 0, 0, NULL}};
-
 static void refuse(const char* name, const char* expected) { mimo_refuse("%s: expected %s", name, expected); }
 
 static properties room_for(size_t count) {
@@ -123,9 +121,13 @@ void mimo_set_known(void* config, const member* options, properties* given) {
   }
 }
 
+void mimo_no_more(const properties* given, const char* of) {
+  if (given->count > 0) mimo_refuse("no option %s of %s", given->names[0], of);
+}
+
 void mimo_set_all(void* config, const member* options, properties* given, const char* of) {
   mimo_set_known(config, options, given);
-  if (given->count > 0) mimo_refuse("no option %s of %s", given->names[0], of);
+  mimo_no_more(given, of);
 }
 
 const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* usual, size_t* count) {

@@ -26,8 +26,6 @@ double mimo_take_number(properties* given, const char* name);
 /* Reads a fixed number of numbers. */
 void mimo_read_numbers(double* to, size_t count, const char* name, const mxArray* value);
 
-extern const member mimo_no_options[];
-
 /* Growths of ages in months, NULL for NaN; NULL for an empty array. Except for the age they equal `usual`. They last as
  * long as the call. */
 const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* usual, size_t* count);
@@ -35,9 +33,10 @@ const mimo_growth* const* mimo_ages(const mxArray* months, const mimo_growth* us
 /* Whether any option of the list is given. */
 int mimo_has_any(const properties* given, const member* options);
 
-/* Removes the options of the list and sets their members. The second raises an error if any option is left: "no option
- * X of a lock". */
+/* Removes the options of the list and sets their members; raises an error if any option is left: "no option X of a
+   lock"; or does both. */
 void mimo_set_known(void* config, const member* options, properties* given);
+void mimo_no_more(const properties* given, const char* of);
 void mimo_set_all(void* config, const member* options, properties* given, const char* of);
 
 #endif

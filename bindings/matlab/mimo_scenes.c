@@ -41,7 +41,7 @@ static double add_agent(mimo_scene* scene, properties* given) {
   mimo_growth growth;
   const mimo_agent_config config = take_agent_config(scene, given, &growth);
   size_t agent = 0;
-  mimo_set_all(NULL, mimo_no_options, given, "an agent");
+  mimo_no_more(given, "an agent");
   mimo_check(mimo_scene_add_agent(scene, &config, &agent));
   return (double)agent + 1;
 }
@@ -50,7 +50,7 @@ static double add_agents(mimo_scene* scene, properties* given) {
   mimo_growth growth;
   const mimo_agent_config config = take_agent_config(scene, given, &growth);
   size_t count = 0;
-  mimo_set_all(NULL, mimo_no_options, given, "agents");
+  mimo_no_more(given, "agents");
   mimo_check(mimo_scene_add_agents(scene, &config, &count));
   return (double)count;
 }
@@ -95,7 +95,7 @@ static double add_field(mimo_scene* scene, properties* given) {
 
 static double add_room(mimo_scene* scene, properties* given) {
   const char* name = mimo_take_text(given, "name");
-  mimo_set_all(NULL, mimo_no_options, given, "a room");
+  mimo_no_more(given, "a room");
   mimo_check(mimo_scene_set_room(scene, name));
   return 0;
 }
@@ -106,7 +106,7 @@ static double add_weld(mimo_scene* scene, properties* given) {
   const mxArray* place = mimo_take(given, "pose");
   double pose[7];
   if (place != NULL) mimo_read_numbers(pose, 7, "pose", place);
-  mimo_set_all(NULL, mimo_no_options, given, "a weld");
+  mimo_no_more(given, "a weld");
   mimo_check(
       mimo_scene_weld(scene, body, other == NULL ? NULL : mimo_text(other, "other"), place == NULL ? NULL : pose));
   return 0;
@@ -115,7 +115,7 @@ static double add_weld(mimo_scene* scene, properties* given) {
 static double add_lock(mimo_scene* scene, properties* given) {
   const char* joint = mimo_take_text(given, "joint");
   const double value = mimo_take_number(given, "value");
-  mimo_set_all(NULL, mimo_no_options, given, "a lock");
+  mimo_no_more(given, "a lock");
   mimo_check(mimo_scene_lock(scene, joint, value));
   return 0;
 }
@@ -123,7 +123,7 @@ static double add_lock(mimo_scene* scene, properties* given) {
 static double add_pose(mimo_scene* scene, properties* given) {
   const char* joint = mimo_take_text(given, "joint");
   const double value = mimo_take_number(given, "value");
-  mimo_set_all(NULL, mimo_no_options, given, "a pose");
+  mimo_no_more(given, "a pose");
   mimo_check(mimo_scene_set_pose(scene, joint, value));
   return 0;
 }
@@ -134,7 +134,7 @@ static double set_part(mimo_scene* scene, properties* given, const char* number,
   const size_t agent = take_agent(given);
   const mxArray* body = mimo_take(given, "body");
   const double value = mimo_take_number(given, number);
-  mimo_set_all(NULL, mimo_no_options, given, what);
+  mimo_no_more(given, what);
   mimo_check(set(scene, agent, body == NULL ? NULL : mimo_text(body, "body"), value));
   return 0;
 }
@@ -152,7 +152,7 @@ static double set_sources(mimo_scene* scene, properties* given) {
   const double seconds = mimo_take_number(given, "seconds");
   double count;
   mimo_need(bodies != NULL, "count: expected a number");
-  mimo_set_all(NULL, mimo_no_options, given, "sources");
+  mimo_no_more(given, "sources");
   count = mimo_whole(bodies, "count", 1, 64);
   mimo_check(mimo_scene_set_sources(scene, (size_t)count, seconds));
   return 0;
@@ -166,7 +166,7 @@ static double add_source_direction(mimo_scene* scene, properties* given) {
   mimo_need(from != NULL && along != NULL, "place, axis: expected three numbers each");
   mimo_read_numbers(place, 3, "place", from);
   mimo_read_numbers(axis, 3, "axis", along);
-  mimo_set_all(NULL, mimo_no_options, given, "a source direction");
+  mimo_no_more(given, "a source direction");
   mimo_check(mimo_scene_direct_source(scene, body, place, axis, directivity));
   return 0;
 }
@@ -174,7 +174,7 @@ static double add_source_direction(mimo_scene* scene, properties* given) {
 static double add_joint(mimo_scene* scene, properties* given) {
   const size_t agent = take_agent(given);
   const char* joint = mimo_take_text(given, "joint");
-  mimo_set_all(NULL, mimo_no_options, given, "a joint");
+  mimo_no_more(given, "a joint");
   mimo_check(mimo_scene_read_joint(scene, agent, joint));
   return 0;
 }
@@ -218,7 +218,7 @@ static double add_maturity(mimo_scene* scene, properties* given) {
 
 static double add_room_temperature(mimo_scene* scene, properties* given) {
   const double celsius = mimo_take_number(given, "celsius");
-  mimo_set_all(NULL, mimo_no_options, given, "a room temperature");
+  mimo_no_more(given, "a room temperature");
   mimo_check(mimo_scene_set_room_temperature(scene, celsius));
   return 0;
 }
@@ -226,7 +226,7 @@ static double add_room_temperature(mimo_scene* scene, properties* given) {
 static double add_temperature(mimo_scene* scene, properties* given) {
   const char* body = mimo_take_text(given, "body");
   const double celsius = mimo_take_number(given, "celsius");
-  mimo_set_all(NULL, mimo_no_options, given, "a temperature");
+  mimo_no_more(given, "a temperature");
   mimo_check(mimo_scene_set_temperature(scene, body, celsius));
   return 0;
 }
@@ -234,7 +234,7 @@ static double add_temperature(mimo_scene* scene, properties* given) {
 static double add_material(mimo_scene* scene, properties* given) {
   const char* body = mimo_take_text(given, "body");
   const char* name = mimo_take_text(given, "name");
-  mimo_set_all(NULL, mimo_no_options, given, "a material");
+  mimo_no_more(given, "a material");
   mimo_check(mimo_scene_set_material(scene, body, name));
   return 0;
 }
@@ -242,7 +242,7 @@ static double add_material(mimo_scene* scene, properties* given) {
 static double add_parameter(mimo_scene* scene, properties* given) {
   const char* name = mimo_take_text(given, "name");
   const double value = mimo_take_number(given, "value");
-  mimo_set_all(NULL, mimo_no_options, given, "a parameter");
+  mimo_no_more(given, "a parameter");
   mimo_check(mimo_scene_set_parameter(scene, name, value));
   return 0;
 }
@@ -329,7 +329,7 @@ static void new_scene(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_scene* scene;
   (void)nout;
   scene = open_scene(nin > 0 ? in[0] : NULL, &given, number);
-  mimo_set_all(NULL, mimo_no_options, &given, "a scene");
+  mimo_no_more(&given, "a scene");
   mimo_keep_scene(number, scene);
   out[0] = mxCreateDoubleScalar(number);
 }
@@ -421,7 +421,7 @@ mimo_batch* mimo_create_batch(int nin, const mxArray* in[], double number, mimo_
   ages = mimo_take(&given, "ages");
   scene = mxIsChar(in[0]) ? furnished_scene(in[0], &given, number, usual) : mimo_scene_of(in[0]);
   if (ages != NULL) config->cohort = mimo_ages(ages, usual, &config->cohort_count);
-  mimo_set_all(NULL, mimo_no_options, &given,
+  mimo_no_more(&given,
                mxIsChar(in[0]) ? "mimo_create; see its help" : "mimo_create for a scene's number; see mimo_scene_add");
   mimo_check(mimo_batch_create(scene, &env, config, &batch));
   mimo_making(NULL);
