@@ -34,5 +34,5 @@ def without_null(doc: str) -> str:
 
 
 def switch(member) -> bool:
-    """Whether a member is on or off: the header then says what 1 means."""
-    return member.type == "uint32_t" and not member.enum and member.doc.startswith("1: ")
+    """Whether a member is on or off. The header then begins with what 1 means: "1: ..."."""
+    return member.type == "uint32_t" and member.range == [0, 1]
