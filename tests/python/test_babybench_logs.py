@@ -87,7 +87,7 @@ def test_anything_else_is_refused(name, tmp_path):
     path.write_bytes(data)
     with pytest.raises(ValueError, match=line) as raised:
         logs.read(path)
-    assert str(raised.value).startswith(f"{path} is no log: ")
+    assert str(raised.value).startswith(f"{path} is not a log: ")
     assert "\n" not in str(raised.value)
 
 
@@ -139,7 +139,7 @@ def test_deep_logs_are_read():
 )
 def test_entries_that_count_nothing(entry, line, tmp_path):
     logs.write(tmp_path / "training.pkl", [{"steps": 2}, entry])
-    with pytest.raises(ValueError, match=f"training.pkl is no log: {line}"):
+    with pytest.raises(ValueError, match=f"training.pkl is not a log: {line}"):
         reports.scores_in(tmp_path)
 
 
@@ -147,16 +147,16 @@ def test_entries_that_count_nothing(entry, line, tmp_path):
     ("text", "line"),
     [
         ("[" * 20000, "nested too deeply"),
-        ("frame_skip: " + "9" * 5000, "is no YAML: Exceeds the limit|frame_skip is 9"),  # older Pythons read it
-        ("save_dir: 2001-99-99", "is no YAML: month must be in 1..12"),
-        ("a: [1\n", "is no YAML: while parsing"),
-        ("\0", "is no YAML"),
+        ("frame_skip: " + "9" * 5000, "is not YAML: Exceeds the limit|frame_skip is 9"),  # older Pythons read it
+        ("save_dir: 2001-99-99", "is not YAML: month must be in 1..12"),
+        ("a: [1\n", "is not YAML: while parsing"),
+        ("\0", "is not YAML"),
         (
             "a: &a [x, x]\n"
             + "".join(
                 f"{n}: &{n} [*{p}, *{p}]\n" for p, n in zip("abcdefghijklmnopqrstuvw", "bcdefghijklmnopqrstuvwx")
             ),
-            "config has 'a', which is no switch",
+            "config has 'a', which is not a switch",
         ),
         ("scene: &a [x, [&b [*a, *a], *b, *b]]\n", r"scene is \['x', \[\["),
     ],

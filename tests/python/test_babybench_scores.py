@@ -171,7 +171,7 @@ def test_logs_that_are_none(tmp_path):
     assert (done.returncode, done.stdout) == (1, "")
     assert "expected a log, or a folder with training.pkl" in done.stderr
     (tmp_path / "training.pkl").write_bytes(b"nothing")
-    assert "training.pkl is no log" in evaluated(tmp_path).stderr
+    assert "training.pkl is not a log" in evaluated(tmp_path).stderr
     (tmp_path / "training.pkl").write_bytes(pickle.dumps([1, 2]))
     assert "expected a list of episodes with their steps" in evaluated(tmp_path).stderr
     (tmp_path / "training.pkl").write_bytes(pickle.dumps(subprocess.Popen))  # a program in disguise
@@ -197,7 +197,7 @@ def test_configurations_in_files(tmp_path):
 @pytest.mark.parametrize(
     ("given", "error", "line"),
     [
-        ({"touch_toes": True}, ValueError, "config has 'touch_toes', which is no switch; did you mean 'touch_legs'"),
+        ({"touch_toes": True}, ValueError, "config has 'touch_toes', which is not a switch; did you mean 'touch_legs'"),
         ({"scene": "kitchen"}, ValueError, "scene is 'kitchen', expected 'base', 'crib', 'cubes'"),
         ({"behavior": "walk"}, ValueError, "behavior is 'walk', expected 'none', 'self_touch', 'hand_regard'"),
         ({"act_arms": 1}, ValueError, "act_arms is 1, expected true or false"),
@@ -223,6 +223,6 @@ def test_files_that_are_no_configurations(tmp_path):
     with pytest.raises(ValueError, match=r"list\.yml holds list, expected keys with values"):
         babybench.load(tmp_path / "list.yml")
     (tmp_path / "broken.yml").write_text("a: [1\n")
-    with pytest.raises(ValueError, match=r"broken\.yml is no YAML") as raised:
+    with pytest.raises(ValueError, match=r"broken\.yml is not YAML") as raised:
         babybench.load(tmp_path / "broken.yml")
     assert "\n" not in str(raised.value)

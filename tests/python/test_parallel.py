@@ -94,7 +94,7 @@ def test_each_infant_needs_a_judgement():
     task = Sole()
     env = mimo.ParallelEnv(two(), task=task)
     for answer, message in (
-        (mimo.Judgement(1), "return one mimo.Judgement an infant"),
+        (mimo.Judgement(1), "return one mimo.Judgement per infant"),
         ({"anna": mimo.Judgement(1)}, "returned None for 'ben'"),
     ):
         task.answer = answer

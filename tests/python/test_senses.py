@@ -99,9 +99,9 @@ def test_what_is_no_model_is_refused(humanoid):
     scene = described("torso")
     with pytest.raises(mimo.UnsupportedError, match="mujoco_version is 237"):
         mimo.Senses(scene, humanoid.model, mujoco_version=237)
-    with pytest.raises(TypeError, match="mujoco_version is needed"):
+    with pytest.raises(TypeError, match="an address needs mujoco_version"):
         mimo.Senses(scene, humanoid.model)
-    with pytest.raises(TypeError, match="neither of the mujoco package nor an address"):
+    with pytest.raises(TypeError, match="neither an object of the mujoco package nor an address"):
         mimo.Senses(scene, "humanoid.xml", mujoco_version=humanoid.version)
     with pytest.raises(mimo.NotFoundError, match="there are: world, torso"):
         mimo.Senses(described("tail"), humanoid.model, mujoco_version=humanoid.version)

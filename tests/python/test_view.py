@@ -453,7 +453,7 @@ def test_wrong_arguments():
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
-        assert re.search("port [0-9]+ of 127.0.0.1 cannot be had", refused("--port", str(taken.getsockname()[1])))
+        assert re.search("port [0-9]+ of 127.0.0.1 cannot be used", refused("--port", str(taken.getsockname()[1])))
 
 
 def test_without_viser(monkeypatch):

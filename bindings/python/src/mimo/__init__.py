@@ -2,7 +2,7 @@
 
     env = mimo.make("reach")                        # a Gymnasium environment
     envs = mimo.make_vec("reach", num_envs=64)      # many worlds at once
-    world = mimo.World("benchmark")                 # closer to the library: names, contacts, pictures, states
+    world = mimo.World("benchmark")                 # names, contacts, pictures, states
 
 The library's messages go to the logger "mimo".
 """
@@ -58,11 +58,11 @@ def make(scene: Union[str, Scene] = "benchmark", **options: Any) -> Env:
 
 
 def __getattr__(name: str) -> Any:
-    if name == "ParallelEnv":  # needs PettingZoo, which is not everybody's
+    if name == "ParallelEnv":  # needs PettingZoo
         from .parallel import ParallelEnv
 
         return ParallelEnv
-    # Modules are imported when they are asked for: some need what is not everybody's.
+    # Modules are imported on demand, because some need extras.
     if not name.startswith("_") and importlib.util.find_spec(f"mimo.{name}") is not None:
         return importlib.import_module(f"mimo.{name}")
     raise AttributeError(f"module 'mimo' has no attribute {name!r}")

@@ -1,4 +1,4 @@
-"""The program `mimo`: the one inside this package."""
+"""Runs the program `mimo` inside this package."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ._library import NATIVE
 
 
 def main() -> None:
-    """Becomes the program; Windows' processes cannot, so there it is waited for."""
+    """Replaces this process by the program; on Windows it waits for it instead."""
     if sys.platform == "win32":
         sys.exit(subprocess.call([str(NATIVE / "mimo.exe"), *sys.argv[1:]]))
     os.execv(str(NATIVE / "mimo"), ["mimo", *sys.argv[1:]])

@@ -1,4 +1,4 @@
-"""How mature eyes and nerves are, in numbers."""
+"""The maturity of eyes and nerves, in numbers."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from .arguments import real_number
 
 @dataclass(frozen=True)
 class Maturity:
-    """How mature an infant's eyes and nerves are; by itself perfect eyes, and nerves that take no time.
+    """The maturity of an infant's eyes and nerves. The defaults are perfect eyes and nerves without delay.
 
-    A nerve of some length is late by length / conduction_speed, and by what its way through the brain adds.
+    The delay of a nerve is its length / conduction_speed plus the delay in the brain.
     dataclasses.replace(mimo.Maturity.at(3), chroma=1) changes one number.
     """
 
-    acuity: float = 0  # the finest lines that are seen, cycles per degree; 0: pictures as drawn
-    peak_contrast: float = 2  # the greatest contrast sensitivity
-    chroma: float = 1  # share of colour that is seen, 0 (grey) to 1
-    flicker: float = 0  # Hz: faster changes are seen less and less; 0: all
-    contrast_threshold: bool = False  # contrasts too faint for such eyes are gone
-    conduction_speed: float = 0  # of large nerve fibres, m/s; 0: they take no time
+    acuity: float = 0  # finest visible lines, cycles per degree; 0: no limit
+    peak_contrast: float = 2  # highest contrast sensitivity
+    chroma: float = 1  # visible share of colour, 0 (grey) to 1
+    flicker: float = 0  # Hz: faster changes fade; 0: no limit
+    contrast_threshold: bool = False  # removes contrasts below the eyes' threshold
+    conduction_speed: float = 0  # of large nerve fibres, m/s; 0: no delay
     sensory_delay: float = 0  # from the brain stem to the cortex, s
     motor_delay: float = 0  # from the cortex to the brain stem, s
     vision_delay: float = 0  # from the eye to the cortex, s
@@ -33,14 +33,14 @@ class Maturity:
 
     @classmethod
     def at(cls, age: float) -> Maturity:
-        """That of an age, 0 (a newborn) to 24 months; flicker and contrast_threshold, which are options, stay off."""
+        """The maturity of an age, 0 (a newborn) to 24 months; flicker and contrast_threshold stay off."""
         raw = _abi.Maturity()
         check(LIB.mimo_maturity_at(real_number("age", age), raw, ctypes.sizeof(raw)))
         return from_struct(cls, raw)
 
 
 def maturity_from(maturity: Optional[Maturity]) -> Optional[_abi.Maturity]:
-    """What the library is told of it; None: as old as the infant."""
+    """The C struct; None: by the infant's age."""
     if maturity is None:
         return None
     if not isinstance(maturity, Maturity):

@@ -1,15 +1,15 @@
-"""An infant's joints from key points: of a video (2-D, with its camera) or of markers (3-D). Needs the extra [motion].
+"""Fits an infant's joints to key points of a video (2-D, with its camera) or markers (3-D). Needs the extra [motion].
 
     points = mimo.motion.read_points("points.csv")
-    found = mimo.motion.fit(world, points)              # world: of an infant of that age, at rest in a likely pose
-    found.errors                                        # m or pixels, a row a frame, a column a point
+    found = mimo.motion.fit(world, points)              # a world with an infant of that age, in a plausible pose
+    found.errors                                        # m or pixels: a row per frame, a column per point
     found.write("motion.csv")                           # for mimo replay --motion
 
     python -m mimo.motion points.csv --out motion.csv --errors errors.csv --age 6
     python -m mimo.motion video.csv --camera camera.json --out motion.csv
 
 Each frame is a least-squares fit over the joints that move the points, within their limits, from the frame before.
-Joints that the points say little about stay near that first pose.
+Joints that the points hardly determine stay near the first pose.
 """
 
 from __future__ import annotations
@@ -38,25 +38,25 @@ except ImportError as error:
 __all__ = ["Camera", "Found", "KeyPoints", "fit", "read_points"]
 
 Loss = Literal["linear", "soft_l1", "huber", "cauchy", "arctan"]
-METRES, PIXELS = 0.01, 5.0  # errors that count as one
+METRES, PIXELS = 0.01, 5.0  # errors that count as 1
 SMOOTHED_ROWS = 10
 ROOT_PARTS = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
 class Found(NamedTuple):
-    """What a fit has found: times (n,), columns of a table for `mimo replay --motion`, their values and the errors."""
+    """The result of a fit: times (n,), columns of a table for `mimo replay --motion`, their values and the errors."""
 
     times: Numbers
     columns: List[str]  # joints; root:x ... root:qz
     positions: Numbers  # (n, columns), rad and m
     points: List[str]
-    errors: Numbers  # (n, points): how far each is from where it was seen, m or pixels; NaN where it was not
+    errors: Numbers  # (n, points): distance from the observed point, m or pixels; NaN for unseen points
 
     def smoothed(self, cutoff: float) -> "Found":
-        """Without what is faster than `cutoff` in Hz: a Butterworth filter of second order, there and back.
+        """Low-pass filtered at `cutoff`, Hz, by a Butterworth filter of second order in both directions.
 
-        Pose estimation is noisy, and forces follow from accelerations; movements of gait are usually filtered at 6 Hz.
-        The errors stay those of the fit.
+        Pose estimation is noisy, and forces follow from accelerations; gait is usually filtered at 6 Hz. `errors` stay
+        the errors of the fit.
         """
         steps = np.diff(self.times)
         if len(steps) < SMOOTHED_ROWS or np.ptp(steps) > 0.01 * steps.mean():
@@ -79,7 +79,7 @@ class Found(NamedTuple):
         write_table(path, ["time", *self.columns], np.column_stack([self.times, self.positions]))
 
     def write_errors(self, path: str) -> None:
-        """A row a frame, a column a point."""
+        """A row per frame, a column per point."""
         write_table(path, ["time", *self.points], np.column_stack([self.times, self.errors]))
 
 
@@ -92,12 +92,12 @@ def fit(
     loss: Loss = "linear",
     agent: int = 0,
 ) -> Found:
-    """Joint angles and the pose of the body, frame after frame.
+    """Fits joint angles and the pose of the body, frame after frame.
 
-    The world's infant is moved; where it is at the start is the first guess, and what no point tells. `places` puts
-    points elsewhere: {"sock": ("left_foot", (0.03, 0, 0))}, m, in the body's frame. `stiffness` is what a radian from
-    the first pose costs, where 1 is a point that is 1 cm, or 5 pixels, off: what points say little about stays there.
-    `loss` is SciPy's: "soft_l1" believes points less that are far off.
+    It moves the world's infant, whose first pose is the initial guess and the value of everything that no point
+    determines. `places` defines key points: {"sock": ("left_foot", (0.03, 0, 0))}, m, in the body's frame. `stiffness`
+    is the cost of a radian from the first pose, where an error of 1 cm or 5 pixels costs 1. `loss` is SciPy's:
+    "soft_l1" gives outliers less weight.
     """
     if points.values.shape[2] == 2 and camera is None:
         raise ValueError("the points are pixels, and camera is None, expected a mimo.motion.Camera")
@@ -117,7 +117,7 @@ def fit(
 
 
 class _Chain:
-    """The joints that move the points, and how they do. A state is the root's place, its quaternion, and the hinges."""
+    """The joints that move the points. A state is the root's position, its quaternion, and the hinges' angles."""
 
     def __init__(self, world: World, agent: int, bodies: List[int], offsets: Numbers) -> None:
         self.world, self.bodies, self.offsets = world, bodies, offsets
@@ -136,7 +136,7 @@ class _Chain:
             elif width == 7:
                 self.root, self.root_body = joint, owner
         if self.root < 0:
-            raise ValueError("the infant does not move freely, and key points are fitted to one that does")
+            raise ValueError("the infant has no free joint; key points are fitted to infants that move freely")
         self.rest = world.get(Quantity.JOINT_POSITION, self.hinges).ravel()
         self.moves = np.array([[owner in ways[body] for owner in self.owners] for body in bodies])
         self.limits = world.get(Quantity.JOINT_RANGE, self.hinges).reshape(-1, 2)
@@ -158,21 +158,21 @@ class _Chain:
         return np.concatenate([root, self.world.get(Quantity.JOINT_POSITION, self.hinges).ravel()])
 
     def moved(self, state: Numbers, by: Numbers) -> Numbers:
-        """By a step, a turn in the world's frame, and angles."""
+        """The state after a translation, a rotation in the world's frame, and changes of angles."""
         angle = np.linalg.norm(by[3:6])
         half = np.concatenate([[np.cos(angle / 2)], 0.5 * np.sinc(angle / (2 * np.pi)) * by[3:6]])
         root = after(half, state[3:7])[0]
         return np.concatenate([state[:3] + by[:3], root / np.linalg.norm(root), state[7:] + by[6:]])
 
     def put(self, state: Numbers) -> Numbers:
-        """Where the points are then, (k, 3)."""
+        """The points in a state, (k, 3)."""
         self.world.set(Quantity.JOINT_POSITION, state[:7], [self.root])
         self.world.set(Quantity.JOINT_POSITION, state[7:], self.hinges)
         pose = self.world.get(Quantity.BODY_POSE, self.bodies, now=True)
         return placed(pose[:, :3], pose[:, 3:], self.offsets)
 
     def slopes(self, at: Numbers) -> Numbers:
-        """How the points move by a step, a turn and each hinge: (k, 3, 6 + hinges). The world is where `put` put it."""
+        """Derivatives of the points by translation, rotation and hinges: (k, 3, 6 + hinges), in the state of `put`."""
         axes, anchors = self._axes()
         result = np.zeros((len(at), 3, 6 + len(self.hinges)))
         result[:, :, :3] = np.eye(3)
@@ -185,7 +185,7 @@ class _Chain:
     def _axes(self) -> Tuple[Numbers, Numbers]:
         """Axis and a point of each hinge.
 
-        Those of one body are asked for one after the other: what a body does then beside its parent is that hinge's.
+        Hinges of one body are turned one after the other, so that each shows in the body's motion.
         """
         axes, anchors = np.zeros((len(self.hinges), 3)), np.zeros((len(self.hinges), 3))
         place = np.vstack([np.zeros(3), self.world.get(Quantity.BODY_POSITION, self.all, now=True)])
@@ -205,7 +205,7 @@ class _Chain:
 
 
 class _Frame:
-    """One row of the table."""
+    """A row of the table."""
 
     def __init__(
         self, chain: _Chain, seen: Numbers, weights: Numbers, camera: Optional[Camera], stiffness: float, loss: Loss
@@ -217,7 +217,7 @@ class _Frame:
         self.scale = np.sqrt(weights[self.which])[:, None] / unit
 
     def first(self, start: Numbers) -> Numbers:
-        """The whole body is brought there first, from four sides: which way it looks is what a fit finds worst."""
+        """Fits the pose of the whole body first, from four sides, because a fit rarely finds its heading."""
         found = []
         for quarter in range(4):
             turn = np.zeros(len(start) - 1)

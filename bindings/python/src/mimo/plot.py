@@ -1,4 +1,4 @@
-"""Pictures of what an infant senses, on matplotlib. Needs the extra [plot].
+"""Pictures of observations with matplotlib. Needs the extra [plot].
 
     observation = world.observe()
     mimo.plot.eyes(observation)
@@ -7,8 +7,8 @@
 
     python -m mimo.plot run.h5 --out run.png       # a recording at a glance
 
-Each function returns a matplotlib Figure, which a notebook shows as its cell's last line, and which
-`figure.savefig("file.pdf")` saves. pyplot does not keep it.
+Each function returns a matplotlib Figure: a notebook shows it as the last value of a cell, `figure.savefig("file.pdf")`
+saves it. pyplot does not keep it.
 """
 
 from __future__ import annotations
@@ -41,13 +41,13 @@ try:
 except ImportError as error:
     raise ImportError("pictures need matplotlib: pip install 'mimo[plot]'") from error
 
-IDLE = "0.55"  # of sensors that feel nothing: grey that a printer still prints
-MEAN = 0.25  # s over which touch is averaged in plots over time: single steps are too short to be seen
-HEAT = LinearSegmentedColormap.from_list("heat", STOPS / 255)  # the viewer's
+IDLE = "0.55"  # of sensors without force: a grey that printers still print
+MEAN = 0.25  # s: touch is averaged over this time, as single steps are too short to see
+HEAT = LinearSegmentedColormap.from_list("heat", STOPS / 255)  # as in the viewer
 
 
 def _figure(width: float, height: float) -> Figure:
-    """One that pyplot does not know: a notebook would show that twice, and it would stay in memory."""
+    """A figure outside pyplot, where a notebook would show it twice and it would stay in memory."""
     return Figure(figsize=(width, height), layout="constrained")
 
 
@@ -57,7 +57,7 @@ def anaglyph(left: NDArray[np.uint8], right: NDArray[np.uint8]) -> NDArray[np.ui
 
 
 def eyes(observation: Observation, agent: str = "") -> Figure:
-    """What both eyes see, and the anaglyph of both."""
+    """The pictures of both eyes, and their anaglyph."""
     prefix = f"{agent}/" if agent else ""
     pictures = [observation.get(f"{prefix}vision/eye_{side}") for side in ("left", "right")]
     left, right = pictures
@@ -73,7 +73,7 @@ def eyes(observation: Observation, agent: str = "") -> Figure:
 
 
 def touch_map(world: World, observation: Optional[Observation] = None, agent: int = 0) -> Figure:
-    """The sensors of the whole skin, unfolded: from the front and from the back; coloured by the force on each."""
+    """All touch sensors, seen from the front and from the back, coloured by the force on each."""
     body = BodyMap(world, agent)
     force = body.force if observation is None else body.force_in(observation)
     felt = np.flatnonzero(force > 0)
@@ -95,7 +95,7 @@ def touch_map(world: World, observation: Optional[Observation] = None, agent: in
 
 
 def joint_angles(times: ArrayLike, angles: ArrayLike, joints: Joints) -> Figure:
-    """Joint angles over time (times x joints, rad) between their limits, in grey; one small plot a joint."""
+    """Joint angles over time (times x joints, rad) between their limits, in grey; a small plot per joint."""
     time, angle = np.asarray(times, np.float64), np.asarray(angles, np.float64)
     names, limits = joints.names, joints.range.reshape(-1, 2)
     columns = min(4, len(names))
@@ -148,7 +148,7 @@ def _rows(axes: Any, time: NDArray[np.float64], values: NDArray[np.float64], nam
 
 
 def running_mean(time: NDArray[np.float64], values: NDArray[np.float64], seconds: float = MEAN) -> Any:
-    """Means (times x values) over so much time around each moment; at the ends, over what there is of it."""
+    """Running means (times x values) over a time window, which shrinks at both ends."""
     step = float(np.median(np.diff(time))) if len(time) > 1 else seconds
     half = max(0, round((seconds / step - 1) / 2))
     sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
@@ -158,7 +158,7 @@ def running_mean(time: NDArray[np.float64], values: NDArray[np.float64], seconds
 
 
 def _legend(axes: Any) -> None:
-    """Above the plot, where it covers nothing."""
+    """Above the plot."""
     axes.legend(ncols=4, fontsize=7, loc="lower right", bbox_to_anchor=(1, 1), borderaxespad=0.1, frameon=False)
 
 
@@ -214,7 +214,7 @@ _PARTS = (
 
 
 class Window:
-    """A live window that shows one picture after the other."""
+    """A live window for a sequence of pictures."""
 
     def __init__(self, title: str = "MIMo") -> None:
         if not has_display():
@@ -229,7 +229,7 @@ class Window:
         self._image: Any = None
 
     def show(self, picture: Union[NDArray[np.uint8], Sequence[Any]]) -> None:
-        """Shows a picture and lets the window answer its user."""
+        """Shows a picture and handles the window's events."""
         if self._image is None:
             axes = self._figure.add_axes((0, 0, 1, 1))
             axes.set_axis_off()
@@ -246,19 +246,19 @@ class Window:
 
 def main() -> int:
     """Draws a recording: python -m mimo.plot run.h5 --out run.png."""
-    parser = argparse.ArgumentParser(prog="python -m mimo.plot", description="Draws what happened in a recording.")
+    parser = argparse.ArgumentParser(prog="python -m mimo.plot", description="Draws a recording.")
     parser.add_argument("recording", metavar="FILE.h5", help="the recording")
-    parser.add_argument("--out", required=True, metavar="FILE.png", help="the picture; .pdf and .svg as well")
+    parser.add_argument("--out", required=True, metavar="FILE.png", help="the picture: .png, .pdf or .svg")
     parser.add_argument("--infant", type=int, default=0, help="which one: 0, the first")
-    parser.add_argument("--title", default="", help="above the picture; none unless it is given")
-    parser.add_argument("--scene", help="of a recording that does not tell of which world it is")
+    parser.add_argument("--title", default="", help="title above the picture")
+    parser.add_argument("--scene", help="scene of the recording, if it does not name its world")
     asked = parser.parse_args()
     plt.switch_backend("Agg")
     try:
         require_writable(asked.out)
         with Recording(asked.recording) as recording:
             figure = run(traces(recording, asked.infant, asked.scene), asked.title)
-        drawn = io.BytesIO()  # as matplotlib's PDFs do not survive a full disk
+        drawn = io.BytesIO()  # matplotlib's PDFs do not survive a full disk
         figure.savefig(drawn, dpi=130, format=os.path.splitext(asked.out)[1][1:] or "png")
         with new_file(asked.out) as file:
             file.write_bytes(drawn.getvalue())

@@ -1,4 +1,4 @@
-"""Worlds of recordings: made anew from the configuration that lies there, which here is written, too.
+"""Writes the configuration of recordings, and makes worlds from it.
 
 A configuration is JSON: the options of `mimo record`, or under "python" the calls that made a scene and the options of
 its world.
@@ -17,11 +17,11 @@ from .scene import Scene, scenes
 from .world import World
 
 NUMBERS = ("age", "physiological-age", "percentile", "z-length", "z-weight", "z-head")
-LARGEST = 4096  # numbers of an array in a configuration
+LARGEST = 4096  # most numbers of an array in a configuration
 
 
 def recorded_world(path: str, configuration: str, eyes: int, scene: Optional[str]) -> World:
-    """The world of a recording, with touch, ears where it had them, and eyes of so many pixels."""
+    """The world of a recording, with touch, its ears, and eyes of `eyes` x `eyes` pixels."""
     try:
         given = json.loads(configuration) if configuration else {}
         if not isinstance(given, dict):
@@ -31,7 +31,7 @@ def recorded_world(path: str, configuration: str, eyes: int, scene: Optional[str
         if scene is not None:
             given = {**given, "scene": [scene]}
         if not given and not configuration:
-            raise ValueError("it is empty; name the scene, or make the world yourself and give it to Recording.play")
+            raise ValueError("it is empty; name the scene, or make a world and pass it to Recording.play")
         return _of_options(given, eyes)
     except RecursionError:
         raise ValueError(f"{path} has a configuration that cannot be made anew: it is nested too deeply") from None
@@ -40,7 +40,7 @@ def recorded_world(path: str, configuration: str, eyes: int, scene: Optional[str
 
 
 def configuration_of(world: World) -> str:
-    """How a world was made; "" where that cannot be told, as with tasks of one's own."""
+    """How a world was made, as JSON; "" if it cannot be written, as with custom tasks."""
     scene = world._scene
     try:
         return json.dumps(
@@ -51,14 +51,14 @@ def configuration_of(world: World) -> str:
 
 
 def inner_world(world: Any) -> World:
-    """A world, or that of an environment."""
+    """The world itself, or the world of an environment."""
     inner = world if isinstance(world, World) else getattr(getattr(world, "unwrapped", world), "world", None)
     if not isinstance(inner, World):
         raise TypeError(f"world is {world!r}, expected a mimo.World or an environment")
     return inner
 
 
-# ---- What a program of Python did ------------------------------------------------------------------------------------
+# ---- Calls of a Python program ---------------------------------------------------------------------------------------
 
 
 def _plain(value: Any) -> Any:
@@ -66,7 +66,7 @@ def _plain(value: Any) -> Any:
         return os.fspath(value)
     if isinstance(value, (np.ndarray, np.generic)) and value.size <= LARGEST:
         return value.tolist()
-    raise TypeError(f"{value!r} is no part of a configuration")
+    raise TypeError(f"{value!r} cannot be part of a configuration")
 
 
 def _of_calls(given: Dict[str, Any], eyes: int) -> World:
@@ -80,11 +80,11 @@ def _of_calls(given: Dict[str, Any], eyes: int) -> World:
     return World(scene, **given["options"])
 
 
-# ---- The options of `mimo record`, as the package has them -----------------------------------------------------------
+# ---- Options of `mimo record` ----------------------------------------------------------------------------------------
 
 
 def _of_options(given: Dict[str, List[str]], eyes: int) -> World:
-    """The world that `mimo record` makes of its options; its eyes, which change nothing, are the viewer's."""
+    """The world that `mimo record` makes of its options, but with the viewer's eyes, which do not affect it."""
     options = {name: values[0] for name, values in given.items()}
     name = options.get("scene", "benchmark")
     scene = Scene(name) if name in scenes() else Scene(file=name)

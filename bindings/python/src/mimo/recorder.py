@@ -1,4 +1,4 @@
-"""What a program does with a world, written into a recording by the library."""
+"""Recorders, which write a world's steps into a file."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .recorded_world import configuration_of, inner_world
 
 
 class RecorderOptions(TypedDict, total=False):
-    """What is recorded, and how: see mimo_recorder_config. `hdf5` is the path of the HDF5 library.
+    """Settings of a recorder, see mimo_recorder_config. `hdf5` is the path of the HDF5 library.
 
-    Without `configuration` it is how the world was made, from which Recording.world makes it anew; "" for worlds with
-    tasks of their own.
+    The default of `configuration` describes how the world was made, so that Recording.world can make it again; it is ""
+    for worlds with custom tasks.
     """
 
     keep: str
@@ -34,14 +34,13 @@ class RecorderOptions(TypedDict, total=False):
 
 
 class Recorder(Handle):
-    """Records all steps of a world, or of an environment's, until it is closed.
+    """Records all steps of a world or an environment until it is closed.
 
         with mimo.Recorder(env, "run.h5", keep="touch,vision/eye_left"):
             ...
 
-    Whatever else changes the world between two steps is found, and a state is kept from which a replay goes on there.
-    A full disk fails no step; flush and close raise it. A recording that is there stays, and is a FileError, unless
-    `replace` is true.
+    Other changes of the world between two steps are noticed, and a state is kept for replays. A full disk does not fail
+    steps; flush and close raise the error. An existing recording is kept and raises FileError unless `replace` is true.
     """
 
     def __init__(self, world: Any, path: "Union[str, os.PathLike[str]]", **options: Unpack[RecorderOptions]) -> None:
@@ -58,11 +57,11 @@ class Recorder(Handle):
         self._own(handle.value, LIB.mimo_recorder_close)
 
     def flush(self) -> None:
-        """Puts everything on its way to the disk now."""
+        """Flushes everything to the disk."""
         check(LIB.mimo_recorder_flush(self._handle))
 
     def close(self) -> None:
-        """Keeps the last state and closes the file; raises what could not be written. Closing twice does nothing."""
+        """Keeps the last state and closes the file; raises errors of writing. Closing twice does nothing."""
         if not self.closed:
             check(LIB.mimo_recorder_close(self._handle))
             super().close()

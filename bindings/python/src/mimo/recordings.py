@@ -1,4 +1,4 @@
-"""Recordings, the HDF5 files of mimo.Recorder and `mimo record`: read, and played again."""
+"""Reads and replays recordings, the HDF5 files of mimo.Recorder and `mimo record`."""
 
 from __future__ import annotations
 
@@ -21,32 +21,32 @@ from .world import World
 
 
 class ReplayReport(NamedTuple):
-    """What a replay has shown so far."""
+    """The result of a replay so far."""
 
-    identical: bool  # all that was compared, to the last bit
-    next: int  # the step that comes next
-    steps: int  # how many were played
+    identical: bool  # whether all compared numbers were equal, bit for bit
+    next: int  # the next step
+    steps: int  # played steps
     first_difference: int  # the first step that differed
-    largest_difference: float  # of any number
-    differs_most_in: str  # the dataset in which that was, "" where all was identical
+    largest_difference: float  # of all numbers
+    differs_most_in: str  # its dataset, "" if all were equal
 
 
 class Recording(Handle):
-    """A recording, which is played again in a world like the one that was recorded.
+    """A recording, which can be replayed in a world like the recorded one.
 
         with mimo.Recording("run.h5") as recording, recording.world() as world:
             print(recording.play(world))
 
-    Its numbers are read with `read`, or by h5py, MATLAB, R ... from the file.
+    `read` reads its numbers, as do h5py, MATLAB, R and others from the file.
     """
 
     path: str
     format_version: int
     steps: int
     states: int
-    bodies: int  # ages that infants had
+    bodies: int  # different ages of its infants
     step_seconds: float
-    same_build: bool  # whether this library wrote it
+    same_build: bool  # whether this build of the library wrote it
     build: str
     this_build: str
     configuration: str
@@ -77,7 +77,7 @@ class Recording(Handle):
         )
 
     def read(self, dataset: str, dtype: Type[np.generic], first: int = 0, rows: Optional[int] = None) -> NDArray[Any]:
-        """Rows of a dataset, as many as there are; actions and most fields are float32, joints and rewards float64."""
+        """Rows of a dataset, by default all; actions and most fields are float32, joints and rewards float64."""
         there, row_bytes = ctypes.c_size_t(), ctypes.c_size_t()
         name = utf8(dataset, "dataset")
         check(LIB.mimo_recording_size(self._handle, name, there, row_bytes))
@@ -89,16 +89,16 @@ class Recording(Handle):
         return values
 
     def world(self, eyes: int = EYES, scene: Optional[str] = None) -> World:
-        """The recorded world, made anew with touch, ears where it had them, and eyes of so many pixels; 0: none.
+        """Makes the recorded world, with touch, its ears, and eyes of `eyes` x `eyes` pixels; 0: no eyes.
 
-        Recordings that do not tell of which world they are need the name or the file of its `scene`.
+        A recording without a configuration needs the name or the file of its `scene`.
         """
         return recorded_world(self.path, self.configuration, eyes, scene)
 
     def seek(self, world: Any, step: int = 0, compare_fields: bool = True) -> int:
         """Loads the last kept state that is not later than a step; returns that state's step.
 
-        Infants become as old as they were. Without compare_fields the world may sense otherwise than the recorded one.
+        Infants get their recorded age. With `compare_fields=False` the world's senses may differ from the recording.
         """
         inner, at = inner_world(world), ctypes.c_size_t()
         number = whole_number("step", step)
@@ -107,27 +107,27 @@ class Recording(Handle):
         return int(at.value)
 
     def step(self, world: Any, senses: bool = True) -> StepResult:
-        """Plays the next step and compares what comes with the recording; without senses the observation stays."""
+        """Plays the next step and compares it with the recording; without senses the observation stays."""
         inner = inner_world(world)
         inner.step_with(lambda *to: LIB.mimo_recording_step(self._handle, *to), senses)
         self._look(inner)
         return inner._result
 
     def move_to(self, world: Any, step: int) -> None:
-        """Brings a world, which may sense otherwise than the recorded one, to where it was after so many steps."""
+        """Brings a world, whose senses may differ, to its recorded state after `step` steps."""
         for _ in range(self.seek(world, step, compare_fields=False), step):
             self.step(world, senses=False)
         inner_world(world).observe()
 
     def play(self, world: Any, step: int = 0, steps: Optional[int] = None, compare_fields: bool = True) -> ReplayReport:
-        """Plays from the last state that is not later than `step` to the end, or to so many steps behind `step`."""
+        """Plays from the last state that is not later than `step` to the end, or until `step + steps`."""
         end = self.steps if steps is None else min(self.steps, step + steps)
         for _ in range(self.seek(world, step, compare_fields), end):
             self.step(world)
         return self.report()
 
     def report(self) -> ReplayReport:
-        """What was compared since the last seek."""
+        """The comparison since the last seek."""
         report = _abi.ReplayReport()
         check(LIB.mimo_recording_report(self._handle, report))
         return from_struct(ReplayReport, report)

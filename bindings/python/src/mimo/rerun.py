@@ -1,4 +1,4 @@
-"""Worlds on Rerun's timelines: all senses, the shapes once, and where they are by time. Needs the extra [rerun].
+"""Logs worlds to Rerun: all senses, shapes and poses over time. Needs the extra [rerun].
 
     import rerun
     rerun.init("infant")
@@ -7,8 +7,8 @@
         world.step(actions)
         mimo.rerun.log(world)
 
-What is logged lies below "world" (`path`): bodies with their shapes, the skin's sensors that feel something as coloured
-points, contacts as arrows; and each field of the observation under its name below "senses".
+Entities below "world" (`path`) are bodies with their shapes, touched sensors as coloured points, and contacts as
+arrows; entities below "senses" are the fields of the observation, by their names.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ _logged: weakref.WeakKeyDictionary[World, List[Any]] = weakref.WeakKeyDictionary
 
 
 def log(world: World, path: str = "world", recording: Optional[Any] = None) -> None:
-    """Logs a world as it is: to Rerun's current recording, or to a rerun.RecordingStream.
+    """Logs the current state of a world to Rerun's current recording, or to a rerun.RecordingStream.
 
-    Shapes go there with the first call, and again after infants became older or changed their faces.
+    The first call logs the shapes; later ones log them again after a change of age or face.
     """
     if not isinstance(world, World):
         raise TypeError(f"world is {type(world).__name__}, expected a mimo.World; of an environment, env.world")
@@ -80,7 +80,7 @@ def _shapes(world: World, path: str, recording: Any) -> None:
 
 
 def _names(world: World, path: str, recording: Any) -> None:
-    """What the lines of fields are called."""
+    """Names of the lines of fields."""
     for name, field in world.layout.fields.items():
         if field.labels:
             lines = sdk.SeriesLines(names=list(field.labels))
@@ -122,7 +122,7 @@ def _field(world: World, field: Field, values: NDArray[Any], path: str, recordin
 
 
 def _skin(world: World, field: Field, values: NDArray[Any], place: str, recording: Any) -> None:
-    """Sensors that feel something, where they are; coloured by how much. All values are in the tensor beside them."""
+    """Touched sensors as points, coloured by force. The tensor beside them has all values."""
     receptors, poses = world.layout.receptors(field.name), world.poses(Kind.BODY)
     felt = np.linalg.norm(values.reshape(len(receptors.bodies), -1), axis=1)
     on = np.flatnonzero(felt > 0)

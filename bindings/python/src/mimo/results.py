@@ -1,4 +1,4 @@
-"""What a step gives beside the observation: arrays that are made once and that every step writes to."""
+"""Results of steps beside the observation: arrays that every step overwrites."""
 
 from __future__ import annotations
 
@@ -16,40 +16,40 @@ Numbers = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class StepResult:
-    """What a step gave; of a batch with its worlds in front.
+    """The result of a step; in a batch the first axis is the world.
 
-    The arrays belong to the world or batch and change with its next step.
+    The arrays belong to the world or batch, and its next step overwrites them.
     """
 
     observation: Observation
-    reward: Numbers  # one an infant
+    reward: Numbers  # one per infant
     terminated: NDArray[np.bool_]
     truncated: NDArray[np.bool_]
-    outcome: NDArray[np.int32]  # one an infant, of mimo.Outcome, also where that does not end the episode
-    terms: Numbers  # what the rewards are the sums of, in the order of layout.terms
+    outcome: NDArray[np.int32]  # one per infant, of mimo.Outcome, also if the episode continues
+    terms: Numbers  # parts of the rewards, in the order of layout.terms
 
 
 class Followed(NamedTuple):
-    """What a step of a known movement gave."""
+    """The result of a step of a known movement."""
 
     observation: Observation
-    forces: Numbers  # physics steps x degrees of freedom: what the movement takes, N or Nm
+    forces: Numbers  # physics steps x degrees of freedom, N or Nm
 
 
 class Last:
-    """What was done and sensed last: the one place of it, which everything that shows a world looks at."""
+    """The last actions and observation, which everything that shows a world reads."""
 
     __slots__ = ("actions", "seen", "sensed", "times")
 
     def __init__(self, sensed: Observation) -> None:
-        self.actions: Optional[NDArray[np.float32]] = None  # as they were given
-        self.sensed: Union[Observation, NDArray[np.uint8]] = sensed  # or a block, until somebody asks for its fields
-        self.times = 0  # how often something was sensed
-        self.seen = 0  # of a world in a batch: how often the batch had sensed then
+        self.actions: Optional[NDArray[np.float32]] = None  # unclipped
+        self.sensed: Union[Observation, NDArray[np.uint8]] = sensed  # or a block, until its fields are read
+        self.times = 0  # number of observations
+        self.seen = 0  # of a world in a batch: the batch's `times` at that moment
 
 
 class Results:
-    """The arrays of a world, or of a batch with its worlds in front."""
+    """The arrays of a world or a batch."""
 
     def __init__(self, layout: Layout, *lead: int) -> None:
         each = (*lead, layout.agents)
@@ -66,14 +66,14 @@ class Results:
         return rows
 
     def shown(self, observation: Observation) -> StepResult:
-        """As steps return them."""
+        """The result that steps return."""
         return StepResult(observation, **self.__dict__)
 
     def places(self) -> Dict[str, Any]:
-        """Where they are: members of the library's structs."""
+        """Their addresses, as members of the C structs."""
         places = {name: array.ctypes.data for name, array in self.__dict__.items()}
         return {**places, "agent_count": self.reward.size, "term_count": self.terms.size}
 
     def for_world(self) -> _abi.EnvResults:
-        """As the library's struct, for a world."""
+        """The C struct of a world."""
         return _abi.EnvResults(**self.places())

@@ -1,4 +1,4 @@
-"""Stable-Baselines3: many worlds as its VecEnv. Needs the extra [train]."""
+"""A VecEnv of Stable-Baselines3. Needs the extra [train]."""
 
 from __future__ import annotations
 
@@ -19,11 +19,9 @@ except ImportError as error:
 
 
 class SB3VecEnv(VecEnv):
-    """Takes what mimo.make_vec takes, SB3VecEnv("reach", 16), or a mimo.VectorEnv alone.
+    """Many worlds. Takes the arguments of mimo.make_vec, as SB3VecEnv("reach", 16), or a mimo.VectorEnv.
 
-    The latter is made with autoreset_mode "SameStep".
-
-    Seeds are given by seed() before a reset, as SB3 does.
+    Such an environment needs autoreset_mode "SameStep". As in SB3, seed() before a reset sets the seeds.
     """
 
     def __init__(
@@ -57,7 +55,7 @@ class SB3VecEnv(VecEnv):
         observation, reward, terminated, truncated, infos = self.envs.receive()
         done = terminated | truncated
         listed: List[Dict[str, Any]] = [{"TimeLimit.truncated": False} for _ in range(self.num_envs)]
-        if told := infos.get("final_info", infos):  # the library's tasks tell something of ends only
+        if told := infos.get("final_info", infos):  # the library's tasks report only at ends of episodes
             for index, info in enumerate(listed):
                 info.update(_of_world(told, index))
         for index in np.flatnonzero(done).tolist():
@@ -70,17 +68,17 @@ class SB3VecEnv(VecEnv):
         self.envs.close()
 
     def get_attr(self, attr_name: str, indices: Any = None) -> List[Any]:
-        """An attribute of the environment; the same for all worlds."""
+        """An attribute of the environment; all worlds share it."""
         return [getattr(self.envs, attr_name)] * len(list(self._get_indices(indices)))
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        """Sets an attribute of the environment; for all worlds at once."""
+        """Sets an attribute of the environment for all worlds."""
         if len(list(self._get_indices(indices))) != self.num_envs:
             raise ValueError("the worlds of a batch share their attributes; set them for all")
         setattr(self.envs, attr_name, value)
 
     def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> List[Any]:
-        """Calls a method of single worlds (mimo.World), or compute_reward, which HER asks for."""
+        """Calls a method of single worlds (mimo.World), or compute_reward for HER."""
         chosen = self._get_indices(indices)
         if method_name == "compute_reward":
             return [self.envs.compute_reward(*method_args, **method_kwargs) for _ in chosen]
@@ -93,7 +91,7 @@ class SB3VecEnv(VecEnv):
         return [False] * len(list(self._get_indices(indices)))
 
     def get_images(self) -> Sequence[Optional[NDArray[np.uint8]]]:
-        """One picture a world."""
+        """One picture per world."""
         return [None] * self.num_envs if self.render_mode is None else list(self.envs.render() or ())
 
 
@@ -109,7 +107,7 @@ def _there_already(envs: VectorEnv, num_envs: Optional[int], options: Dict[str, 
 
 
 def _of_world(infos: Dict[str, Any], index: int) -> Dict[str, Any]:
-    """What Gymnasium's infos of many worlds, arrays and their masks, say of one."""
+    """The info of one world, from Gymnasium's arrays and masks."""
     counts = [name for name in infos if "_" + name in infos and infos["_" + name][index]]
     return {name: _of_world(it, index) if isinstance(it := infos[name], dict) else _plain(it[index]) for name in counts}
 

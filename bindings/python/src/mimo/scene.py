@@ -53,7 +53,7 @@ from .tasks import Task
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 Edit = TypeVar("Edit", bound=Callable[..., Any])
-# The calls that change a scene, by which another is made of it. A file may name them: no others belong here.
+# Methods that change a scene. Copies, pickles and recordings repeat their calls, so a file may name them.
 EDITS: Dict[str, Callable[..., Any]] = {}
 FILES = (".xml", ".mjcf")
 
@@ -91,7 +91,7 @@ def _names(by_index: Any) -> List[str]:
 
 
 def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
-    """Hearing, or all that nerves tell, beside what the senses that are on tell anyway."""
+    """Adds hearing, or all receptors, to the senses that are on."""
     which = options.get("senses", "usual")
     names = [which] if isinstance(which, str) else list(which)
     for name in names:
@@ -105,12 +105,12 @@ def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
     if config.vestibular:
         config.vestibular |= sum(Vestibular)
     if config.touch:
-        config.touch |= sum(Touch) - Touch.FORCE - Touch.NORMAL_FORCE  # these two exclude each other
+        config.touch |= sum(Touch) - Touch.FORCE - Touch.NORMAL_FORCE  # mutually exclusive
     config.reflexes |= Reflex.FELT
 
 
 def _edit(method: Edit) -> Edit:
-    """A method that changes a scene: calls that succeed are remembered, files by their absolute paths."""
+    """Remembers the successful calls of a method, with absolute paths of files."""
 
     @wraps(method)
     def remembered(self: "Scene", *arguments: Any, **options: Any) -> Any:
@@ -125,12 +125,11 @@ def _edit(method: Edit) -> Edit:
 
 
 class Scene(Handle):
-    """A description of what is to be simulated.
+    """A description of a room, objects and infants, from which worlds are made.
 
-    Starts from a built-in scene, an MJCF file, an MJCF text, or (without arguments) from an empty world. Infants and
-    objects are then added. Worlds made from it keep what they were made of: it may be changed or closed afterwards.
-    Scenes can be pickled and copied; a file is then read again. A document that asks for more than `max_pixels` and its
-    like allow is refused; with `confined` its files must lie in its own folder.
+    It starts from a built-in scene, an MJCF file, an MJCF text, or (without arguments) an empty world. Worlds do not
+    change when their scene is changed or closed afterwards. Scenes can be pickled and copied, which reads files again.
+    `max_pixels` and the like limit MJCF documents; with `confined` their files must lie in their own folder.
     """
 
     def __init__(
@@ -144,7 +143,7 @@ class Scene(Handle):
     ) -> None:
         for start, given in (("name", name), ("file", file), ("xml", xml)):
             if given == "":
-                raise ValueError(f"{start} is '', expected what the scene starts from, or nothing for an empty world")
+                raise ValueError(f"{start} is '', expected a value, or no argument for an empty world")
         self._start: Dict[str, Any] = {
             "name": name,
             "file": None if file is None else os.path.abspath(file),
@@ -153,7 +152,7 @@ class Scene(Handle):
         }
         self._steps: List[_Step] = []
         self._agents = 0
-        self._growths: List[Dict[str, Any]] = []  # of each infant, what was asked for
+        self._growths: List[Dict[str, Any]] = []  # options of growth, per infant
         self._task: Optional[Bound] = None
         config = defaults(_abi.SceneConfig)
         for key, value in self._start.items():
@@ -167,7 +166,7 @@ class Scene(Handle):
 
     @_edit
     def add_agent(self, **options: Unpack[AgentOptions]) -> int:
-        """Adds an infant and returns its number; what is not given is as the scene's task wants it."""
+        """Adds an infant and returns its number. Defaults are those of the scene's task."""
         number: int = result(ctypes.c_size_t, LIB.mimo_scene_add_agent, self._handle, self._agent_config(options))
         self._agents += 1
         self._growths.append(_growth_in(options))
@@ -175,7 +174,7 @@ class Scene(Handle):
 
     @_edit
     def add_agents(self, **options: Unpack[AgentOptions]) -> int:
-        """Adds all infants that the scene names, or one where it names none; returns how many these are."""
+        """Adds all infants that the scene names, or one if it names none; returns their number."""
         count: int = result(ctypes.c_size_t, LIB.mimo_scene_add_agents, self._handle, self._agent_config(options))
         self._agents += count
         self._growths += [_growth_in(options)] * count
@@ -195,23 +194,23 @@ class Scene(Handle):
         given = options.keys() & {"position", "orientation"}
         if given and "place" not in options:
             config.place = Place.ROOT
-        if given == {"orientation"} and self._agents > 0 and not any(config.position):  # its places are all taken
+        if given == {"orientation"} and self._agents > 0 and not any(config.position):  # all its places are taken
             raise ValueError(f"orientation: the scene has no place for infant number {self._agents + 1}; give position")
         return config
 
     @_edit
     def set_room(self, name: str) -> None:
-        """Gives a scene that has none a room: floor, sky, light; see mimo.rooms."""
+        """Adds a room (floor, sky, light) to a scene without one; see mimo.rooms."""
         check(LIB.mimo_scene_set_room(self._handle, utf8(name)))
 
     @_edit
     def set_touch(self, body: Optional[str], spacing: float, agent: int = 0) -> None:
-        """Sets the distance (m) between the touch sensors of a part of the body; 0: no skin there; None: everywhere."""
+        """Sets the spacing (m) of touch sensors on a body; 0: no skin; body None: everywhere."""
         check(LIB.mimo_scene_set_touch(self._handle, number_of("agent", agent, 64), utf8(body), spacing))
 
     @_edit
     def read_joint(self, joint: str, agent: int = 0) -> None:
-        """Has proprioception read this hinge or slide of an agent; the first call takes away all others."""
+        """Adds a hinge or slide to an agent's proprioception; the first call removes all others."""
         check(LIB.mimo_scene_read_joint(self._handle, number_of("agent", agent, 64), utf8(joint)))
 
     @_edit
@@ -228,9 +227,9 @@ class Scene(Handle):
     ) -> None:
         """Limits a sense ("touch") or a field ("vision/eye_left") of an agent.
 
-        Values get a factor, a delay in seconds, and Gaussian noise of a standard deviation in the field's unit;
-        `signal_noise` is that of further noise, as a share of the value. Pictures keep half the contrast of lines of
-        `blur` cycles per degree.
+        `gain` is a factor, `noise` the standard deviation of Gaussian noise in the field's unit, `signal_noise` that of
+        noise relative to the value; `delay` is in seconds. Pictures keep half the contrast at `blur` cycles per
+        degree.
         """
         given = {"gain": gain, "noise": noise, "delay": delay, "blur": blur, "signal_noise": signal_noise}
         limits = _limits(**given)
@@ -247,10 +246,9 @@ class Scene(Handle):
         signal_noise: float = 0,
         agent: int = 0,
     ) -> None:
-        """Limits the way of actions to a motor ("act:left_elbow"), a part of the body ("left_arm"), or all of it.
+        """Limits a motor ("act:left_elbow"), the motors of a part of the body ("left_arm"), or all motors.
 
-        Actions get a factor, Gaussian noise of a standard deviation in their unit, and a delay in seconds;
-        `signal_noise` is that of further noise, as a share of the action.
+        The arguments are those of limit_sense; they apply to actions on their way to motors.
         """
         given = {"gain": gain, "noise": noise, "delay": delay, "signal_noise": signal_noise}
         limits = _limits(**given)
@@ -258,25 +256,25 @@ class Scene(Handle):
 
     @_edit
     def set_room_temperature(self, celsius: float) -> None:
-        """How warm the room is, and all in it that has no temperature of its own; 24 degrees unless this is called."""
+        """Sets the temperature of the room and of everything without its own; the default is 24 degrees Celsius."""
         check(LIB.mimo_scene_set_room_temperature(self._handle, celsius))
 
     @_edit
     def set_temperature(self, body: str, celsius: float) -> None:
-        """How warm a body of the model is, with all that hangs on it."""
+        """Sets the temperature of a body and its children."""
         check(LIB.mimo_scene_set_temperature(self._handle, utf8(body), celsius))
 
     @_edit
     def set_sources(self, count: int, seconds: float) -> None:
-        """How many bodies can play at once (4 unless this is called), and how long a sound can wait at each (4 s)."""
+        """Sets how many bodies can play at once (default 4), and how much sound each can queue (default 4 s)."""
         check(LIB.mimo_scene_set_sources(self._handle, number_of("count", count), seconds))
 
     @_edit
     def direct_source(self, body: str, place: Numbers, axis: Numbers, directivity: float) -> None:
-        """From where a body plays and whereto, in its frame.
+        """Sets the point from which a body plays, and its direction, in the body's frame.
 
-        At an angle a from the axis sound is 1 - directivity + directivity cos(a) times as strong as along it: 0 alike
-        to all sides, 0.5 a cardioid, 1 a figure of eight.
+        At an angle a from the axis the sound pressure has the factor 1 - directivity + directivity cos(a): 0 is
+        omnidirectional, 0.5 a cardioid, 1 a figure of eight.
         """
         point, direction = vector("place", place, 3), vector("axis", axis, 3)
         check(
@@ -291,23 +289,23 @@ class Scene(Handle):
 
     @_edit
     def set_material(self, body: str, material: str) -> None:
-        """What a body of the model is made of, one of mimo.materials(): "copper", "hardwood", ..."""
+        """Sets a body's material, one of mimo.materials(): "copper", "hardwood", ..."""
         check(LIB.mimo_scene_set_material(self._handle, utf8(body), utf8(material)))
 
     @_edit
     def set_maturity(self, maturity: Optional[Maturity], agent: int = 0) -> None:
-        """Gives an infant such eyes and nerves; None: as its age and the option `maturity` have them.
+        """Sets the maturity of an infant's eyes and nerves; None: by its age and the option `maturity`.
 
-        Delays of limit_sense and limit_motor take the place of these.
+        Delays of limit_sense and limit_motor replace these delays.
         """
         raw = maturity_from(maturity)
         check(LIB.mimo_scene_set_maturity(self._handle, number_of("agent", agent, 64), raw))
 
     @_edit
     def set_sensory_delay(self, body: Optional[str], seconds: float, agent: int = 0) -> None:
-        """Sets how late (s) an agent feels a part of its body, by touch and by its joints; None: all of it.
+        """Sets the delay (s) of touch and proprioception of a body; None: all bodies.
 
-        It counts instead of what follows from its age; delays of limit_sense come before it.
+        It replaces the delay by age; delays of limit_sense take precedence.
         """
         number = number_of("agent", agent, 64)
         check(LIB.mimo_scene_set_sensory_delay(self._handle, number, utf8(body), real_number("seconds", seconds)))
@@ -322,10 +320,10 @@ class Scene(Handle):
 
     @_edit
     def add_camera(self, name: str, **options: Unpack[CameraOptions]) -> None:
-        """Has a camera observed, as "vision/NAME", "vision/NAME_depth" and "vision/NAME_segmentation".
+        """Adds a camera to the observation, as "vision/NAME", "vision/NAME_depth" and "vision/NAME_segmentation".
 
-        Without `look_at` it is one of the scene or of an infant ("anna/eye_left"). With it, it is a new one at
-        `position` that looks at that point and stands still in the world, or is carried by `body`.
+        Without `look_at`, `name` is a camera of the scene or of an infant ("anna/eye_left"). With it, the call makes a
+        camera at `position` that looks at that point; `body` carries it, None: it stands still.
         """
         config = defaults(_abi.CameraConfig)
         config.name = utf8(name)
@@ -343,10 +341,10 @@ class Scene(Handle):
         now: bool = False,
         relative_to: Optional[str] = None,
     ) -> None:
-        """Has a quantity of elements (bodies, joints, ... by name) observed as a field of its own, behind all others.
+        """Adds a field to the observation: a quantity of elements (bodies, joints, ... by name).
 
-        Poses and velocities are those of the start of the last physics step, with `now` those of the step's end; in the
-        frame of the world, or of the body `relative_to`, as seen from it while it moves.
+        Poses and velocities belong to the start of the last physics step, with `now` to the step's end; they are in the
+        world's frame, or in the moving frame of the body `relative_to`.
         """
         config = defaults(_abi.FieldConfig)
         config.name = utf8(name)
@@ -358,7 +356,7 @@ class Scene(Handle):
 
     @_edit
     def add_model(self, name: str, **options: Unpack[ModelOptions]) -> None:
-        """Adds an MJCF document with one body (file or xml) as an object; its names get "name/" before them."""
+        """Adds an MJCF document with one body (file or xml) as an object; its names get the prefix "name/"."""
         config = defaults(_abi.ModelConfig)
         config.name = utf8(name)
         fill(config, options, ModelOptions)
@@ -366,7 +364,7 @@ class Scene(Handle):
 
     @_edit
     def weld(self, body: str, other: Optional[str] = None, pose: Optional[Numbers] = None) -> None:
-        """Fastens a body to another (None: the world): in a pose (x y z, w x y z) in its frame, or as they start."""
+        """Fastens a body to another (None: the world), in a pose (x y z, w x y z) in its frame or as they start."""
         numbers = None if pose is None else vector("pose", pose, 7)  # a position and a quaternion
         place = None if numbers is None else numbers.ctypes.data
         check(LIB.mimo_scene_weld(self._handle, utf8(body, "body"), utf8(other, "other"), place))
@@ -378,12 +376,12 @@ class Scene(Handle):
 
     @_edit
     def set_pose(self, joint: str, value: float) -> None:
-        """Sets where a hinge or slide starts (rad or m)."""
+        """Sets the initial position of a hinge or slide (rad or m)."""
         check(LIB.mimo_scene_set_pose(self._handle, utf8(joint), real_number("value", value)))
 
     @_edit
     def set_task(self, task: Optional[WorldTask]) -> None:
-        """Gives worlds made from now on a task of your own, which runs inside their steps; None takes it away."""
+        """Sets the task of worlds made from now on, which runs inside their steps; None removes it."""
         bound = None if task is None else Bound(task)
         if bound is None:
             check(LIB.mimo_scene_set_task(self._handle, None))
@@ -393,7 +391,7 @@ class Scene(Handle):
 
     @property
     def parameters(self) -> "Parameters":
-        """The numbers by which tasks can be changed: scene.parameters["reach/success_reward"] = 10."""
+        """Parameters of tasks: scene.parameters["reach/success_reward"] = 10."""
         return Parameters(self)
 
     @property
@@ -406,25 +404,25 @@ class Scene(Handle):
     def save(self, folder: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the scene as `scene.xml`, with its textures and meshes in `assets`, for any program with MuJoCo.
 
-        The folder is made where it is not there; files that are there with other content are not overwritten.
+        Makes the folder if it is missing; does not overwrite files with other content.
         """
         check(LIB.mimo_scene_save(self._handle, utf8(os.fspath(folder), "folder")))
 
     @property
     def agent_count(self) -> int:
-        """How many infants were added."""
+        """The number of infants."""
         return self._agents
 
     @property
     def source(self) -> str:
-        """What it was made from: the name of a built-in scene, the path of a file, "xml", or "nothing"."""
+        """Its origin: the name of a built-in scene, the path of a file, "xml", or "nothing"."""
         return self._start["name"] or self._start["file"] or ("xml" if self._start["xml"] else "nothing")
 
     def __repr__(self) -> str:
         return f"<mimo.Scene {self.source}: {self._agents} infants>"
 
     def copy(self) -> "Scene":
-        """Another scene, made by the same calls. What the log was told of this one it is not told again."""
+        """A copy, made by the same calls; messages are not logged again."""
         with told_before():
             return copy.deepcopy(self)
 
@@ -461,7 +459,7 @@ def _rebuilt(start: Dict[str, Any], steps: List[_Step]) -> Scene:
 
 
 class Parameters(Strict, MutableMapping[str, float]):
-    """The parameters of a scene's tasks, by name. They count for worlds made from now on."""
+    """Parameters of a scene's tasks, by name, for worlds made from now on."""
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
@@ -487,7 +485,7 @@ class Parameters(Strict, MutableMapping[str, float]):
             it = _described(index)
             if text(it.name) == name:
                 return f"{text(it.description)} (default {it.standard:g}, {it.low:g} to {it.high:g})"
-        self[name]  # raises with the names that are there
+        self[name]  # raises and lists the existing names
         raise AssertionError(name)
 
 
@@ -498,7 +496,7 @@ def _described(index: int) -> _abi.Parameter:
 
 
 def start_of(scene: Any) -> Scene:
-    """A built-in scene by its name; says of what is a file how files are given."""
+    """A built-in scene by its name; errors explain how to pass a file."""
     if isinstance(scene, os.PathLike):
         raise TypeError(f"scene is {scene!r}, expected a name or a mimo.Scene; for a file use mimo.Scene(file=...)")
     try:
@@ -510,11 +508,11 @@ def start_of(scene: Any) -> Scene:
 
 
 def prepare(scene: Union[str, Scene], options: Options) -> Tuple[Scene, Dict[str, Any]]:
-    """A scene with its infants, and what is left of the options for the worlds made of it."""
+    """A scene with its infants, and the remaining options, which are for its worlds."""
     agent, world, parameters = _sorted(options)
     if isinstance(scene, Scene):
         if agent:
-            raise TypeError(f"{', '.join(agent)}: of a scene of your own, give these to its add_agent")
+            raise TypeError(f"{', '.join(agent)}: a mimo.Scene takes these in its add_agent")
         return _with_parameters(scene.copy(), parameters), world
     made = start_of(scene)
     made.add_agents(**agent)
@@ -526,7 +524,7 @@ def _sorted(options: Mapping[str, Any]) -> Tuple[Dict[str, Any], Dict[str, Any],
     if isinstance(options.get("task"), type):
         raise TypeError(f"task is the class {options['task'].__name__}, expected a name")
     if isinstance(options.get("task"), Task):
-        raise TypeError("task is a mimo.Task, expected a name; make, make_vec and ParallelEnv take tasks of your own")
+        raise TypeError("task is a mimo.Task, expected a name; make, make_vec and ParallelEnv take a mimo.Task")
     agent = {key: value for key, value in options.items() if key in enums(AgentOptions)}
     world = {key: value for key, value in options.items() if key in enums(WorldOptions)}
     return agent, world, options.get("parameters", {})

@@ -1,4 +1,4 @@
-"""Senses on a simulation that runs somewhere else: in the mujoco package, or in any other host of MuJoCo."""
+"""Senses attached to a simulation of the mujoco package, or of any other host of MuJoCo."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .world import reset_config
 
 
 class Senses(Handle):
-    """Senses that look at a MuJoCo model which knows nothing of them, and never change it.
+    """Senses attached to a MuJoCo model, which they never change.
 
         scene = mimo.Scene()
         scene.add_agent(body="scene", root="torso", vestibular_at="head", vision=False)
@@ -35,10 +35,9 @@ class Senses(Handle):
         senses.advance(data)
         senses.observe(data)["touch/force"]
 
-    The scene describes the agents and cameras. The model is a mujoco.MjModel of exactly the MuJoCo version that this
-    library runs on (mimo.mujoco_version(); for today's, pip install mimo[mujoco], and import mujoco before mimo), or
-    the address of an mjModel together with the host's mj_version(). It has to outlive the senses, which keep a
-    reference.
+    The scene describes the agents and cameras. The model is a mujoco.MjModel of exactly the library's MuJoCo version
+    (mimo.mujoco_version(); for MuJoCo 4, pip install mimo[mujoco], and import mujoco before mimo), or the address of an
+    mjModel together with the host's mj_version(). It must outlive the senses, which keep a reference.
     """
 
     layout: Layout
@@ -69,17 +68,17 @@ class Senses(Handle):
 
     @known_keywords
     def reset(self, data: Any, seed: Optional[int] = None) -> None:
-        """Starts an episode: nothing was sensed before what data hold; noise follows from the seed."""
+        """Starts an episode: memories start from data, noise from the seed."""
         check(LIB.mimo_senses_reset(self._handle, _address_of(data), reset_config(seed)))
 
     def advance(self, data: Any) -> None:
-        """One step later, to be called once a step and before observe: senses with a delay take in what data hold."""
+        """Advances memories by one step; call it once per step, before observe."""
         check(LIB.mimo_senses_advance(self._handle, _address_of(data)))
 
     def drive_spindles(self, rates: ArrayLike, actuators: Optional[Sequence[int]] = None) -> None:
-        """Dynamic and static drive of the spindles of both muscles of each motor, Hz, until an episode starts.
+        """Sets the dynamic and static drive of the spindles of each motor's two muscles, Hz, for this episode.
 
-        Four numbers a motor. Without actuators (ids in the host's model), of all that have spindles.
+        Four numbers per motor: of `actuators` (ids in the host's model), or of all with spindles.
         """
         numbers = np.ascontiguousarray(rates, np.float64)
         if numbers.ndim > 1 and numbers.shape[1:] != (4,):
@@ -93,27 +92,24 @@ class Senses(Handle):
         play(LIB.mimo_senses_play, self._handle, self.layout, body, samples, rate)
 
     def observe(self, data: Any) -> Observation:
-        """What is sensed of data (a mujoco.MjData, or the address of an mjData) as they are.
-
-        Looking changes nothing that the senses remember.
-        """
+        """Observes data: a mujoco.MjData, or the address of an mjData. Memories do not change."""
         address, observation = self._supply.take()
         check(LIB.mimo_senses_observe(self._handle, _address_of(data), address, self.layout.bytes))
         return Fields(observation)
 
     def save(self) -> bytes:
-        """What the senses remember, as bytes."""
+        """The senses' memories, as bytes."""
         return saved(self._handle, LIB.mimo_senses_state_size, LIB.mimo_senses_state_save)
 
     def load(self, state: bytes) -> LoadReport:
-        """Goes on from what other senses of such a model remembered; what the state lacks starts fresh."""
+        """Loads the memories of senses of such a model; those that the state lacks start fresh."""
         return reported(LIB.mimo_senses_state_load, self._handle, state, len(state))
 
 
 def _address_of(struct: Any) -> int:
     address = getattr(struct, "_address", struct)
     if not isinstance(address, int):
-        raise TypeError(f"{struct!r} is neither of the mujoco package nor an address")
+        raise TypeError(f"{struct!r} is neither an object of the mujoco package nor an address")
     return number_of("address", address, 64)
 
 
@@ -126,5 +122,5 @@ def _advise(error: UnsupportedError, model: Any) -> None:
 def _version_of(model: Any) -> int:
     package = type(model).__module__.split(".")[0]
     if isinstance(model, int):
-        raise TypeError("mujoco_version is needed with an address: what mj_version() of the host says")
+        raise TypeError("an address needs mujoco_version, the host's mj_version()")
     return int(importlib.import_module(package).mj_version())

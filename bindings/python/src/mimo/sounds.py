@@ -16,12 +16,12 @@ from .layout import Layout
 def play(
     call: Callable[..., int], handle: Any, layout: Layout, body: str, samples: ArrayLike, rate: Optional[float]
 ) -> None:
-    """Hands samples over; without a rate they are taken to have that of the ears."""
+    """Plays samples; the default rate is that of the ears."""
     given = np.asarray(samples)
     if given.size > 0 and given.dtype.kind != "f":
         raise TypeError(
             f"samples are {given.dtype}, expected pascals at 1 m as floating-point numbers; "
-            "of a recording divide by its full scale, and multiply by the pressure of that"
+            "divide a recording by its full scale, and multiply by the pressure of full scale"
         )
     wave = np.ascontiguousarray(given, dtype=np.float32)
     if wave.ndim != 1:
@@ -31,6 +31,6 @@ def play(
 
 
 def rate_of(layout: Layout) -> float:
-    """Samples a second of what ears get; 16000 where only bands are observed or nobody hears."""
+    """Samples per second of the ears' fields; 16000 without such a field."""
     rates = [field.sample_rate for field in layout.fields.values() if field.sample_rate > 0]
     return rates[0] if rates else 16000.0

@@ -1,4 +1,4 @@
-"""Gymnasium's spaces, from the fields and action bounds that the library describes and those that a task declares."""
+"""Gymnasium's spaces of the library's fields and actions, and of a task's fields."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ NONE: Mapping[str, Any] = {}
 
 
 class View:
-    """What an environment shows: a dict by field name, or with `flatten` one row of numbers.
+    """Observations of an environment: a dict by field name, or with `flatten` one row of numbers.
 
-    Goals stay beside the row, which is then "observation", as Gymnasium's GoalEnv has it.
+    With goals, the row is named "observation" beside them, as in Gymnasium's GoalEnv.
     """
 
     def __init__(
@@ -33,7 +33,7 @@ class View:
             self.space = spaces.Dict({"observation": row, **goals}) if goals else row
 
     def show(self, views: Observation, own: Mapping[str, NDArray[Any]] = NONE, worlds: int = 0) -> Any:
-        """The observation; of several worlds with their number, which is then the arrays' first axis."""
+        """The observation; `worlds` is the length of the arrays' first axis."""
         if own:
             views = {**views, **own}
         if not self._flatten:
@@ -59,14 +59,14 @@ def action_box(low: NDArray[np.float32], high: NDArray[np.float32]) -> spaces.Bo
 
 
 def flat(observation: Observation, worlds: int = 0) -> NDArray[np.float32]:
-    """All fields as one row of numbers, in the order of the fields; a row a world for several worlds."""
+    """All fields as one row of numbers, in the order of the fields; one row per world."""
     lead = (worlds,) if worlds else ()
     parts = [field.reshape((*lead, -1)) for field in observation.values()]
     return np.concatenate(parts, axis=-1, dtype=np.float32)
 
 
 def split(fields: Mapping[str, Field], names: Iterable[str]) -> Dict[str, Dict[str, Field]]:
-    """The fields of each of several agents, without the agents' names in front."""
+    """The fields of each agent, without the prefix of its name."""
     return {
         agent: {name[len(agent) + 1 :]: field for name, field in fields.items() if name.startswith(agent + "/")}
         for agent in names

@@ -1,4 +1,4 @@
-"""What a state did not hold of the world that loaded it."""
+"""Saving and loading of states."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from ._library import check, result
 
 
 class LoadReport(NamedTuple):
-    """Names of sections of a state: memories that started fresh, and those that nobody here has."""
+    """Memories by name: those that started fresh, and those of the state that were ignored."""
 
     fresh: Tuple[str, ...]
     ignored: Tuple[str, ...]
 
 
 def reported(load: Any, *arguments: Any) -> LoadReport:
-    """Calls a function that loads, and tells what it reports."""
+    """Calls a function that loads a state, and returns its report."""
     report = _abi.LoadReport()
     check(load(*arguments, report))
     return LoadReport(_names(report.fresh_names), _names(report.ignored_names))
 
 
 def saved(handle: Any, size_of: Any, save: Any) -> bytes:
-    """What a function that saves writes."""
+    """Calls a function that saves a state, and returns the bytes."""
     state = ctypes.create_string_buffer(result(ctypes.c_size_t, size_of, handle))
     check(save(handle, state, len(state)))
     return state.raw

@@ -1,4 +1,4 @@
-"""Experiments of your own: how an episode starts, what is observed and rewarded, when it ends; on named access."""
+"""Custom tasks in Python: start, observation, reward and end of episodes."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ GOALS = ("achieved_goal", "desired_goal")  # Gymnasium's names
 
 
 class Judgement(NamedTuple):
-    """What a task says of a step: numbers and bools for one world, arrays with one entry a world for a batch.
+    """The result of a step: numbers and bools for one world, arrays with one entry per world for a batch.
 
-    Give a reward or the terms that it is the sum of, not both. `terms` and `info` are dicts by name.
+    Give either a reward or its terms. `terms` and `info` are dicts by name.
     """
 
     reward: Any = None
-    terminated: Flags = False  # the episode ends here: what comes after it does not matter
+    terminated: Flags = False  # the episode ends here
     success: Flags = False  # goes to info["is_success"]
-    truncated: Flags = False  # the episode is cut off here; `max_steps` does so as well
+    truncated: Flags = False  # the episode is cut off here, as by `max_steps`
     failure: Flags = False  # goes to info["is_failure"]
     terms: Mapping[str, Any] = {}  # go to info["reward_terms"]
     info: Mapping[str, Any] = {}  # goes to info
@@ -37,17 +37,14 @@ class Judgement(NamedTuple):
 class Task:
     """Derive from it, and give an instance to make, make_vec, SB3VecEnv or ParallelEnv.
 
-    The same class serves one world and many, if it computes along the last axes: positions of bodies are (n, 3) in one
-    world and (worlds, n, 3) in many, so `position[..., 0, :]` is the first body's in both. Arrays of names that were
-    looked up belong to one world or batch, so look them up in setup, on the object given there. What there is no array
-    of is reached world by world: `world.contacts(i)` and `world.world(i)` for i in range(world.world_count), which is 1
-    in one world.
+    A class serves one world and many if it computes along the last axes: `position[..., 0, :]` is the first body's
+    position, of (n, 3) or (worlds, n, 3). Look names up in setup, on the object given there, because selections belong
+    to one world or batch. `world.contacts(i)` and `world.world(i)` serve single worlds, for i in
+    range(world.world_count).
 
-    `fields` declares further fields of the observation, as Gymnasium's Box by name, those of one world; set it in the
-    class or in setup. Whoever does derives observe, too.
-
-    With several infants (ParallelEnv) evaluate and observe return theirs for each: {"anna": ..., "ben": ...}.
-    Episodes are cut off after `max_steps`, an option of make, make_vec, SB3VecEnv and ParallelEnv.
+    `fields` declares additional fields, as Gymnasium's Box by name for one world; set it in the class or in setup, and
+    override observe. With several infants (ParallelEnv) evaluate and observe return one result per infant:
+    {"anna": ..., "ben": ...}. docs/python.md has examples.
     """
 
     fields: Mapping[str, spaces.Box] = {}
@@ -56,59 +53,59 @@ class Task:
         """Called once, before anything else: look up names here."""
 
     def reset(self, world: Access, mask: Mask) -> None:
-        """Prepares an episode, in worlds that are at their start: move things, draw numbers from world.random.
+        """Prepares an episode: moves things, draws numbers from world.random.
 
-        In a batch only the worlds where mask is True begin one; give mask to write() and random(). None means all.
+        In a batch only the worlds where mask is True begin one; pass mask to write() and random(). None means all.
         """
 
     def evaluate(self, world: Access) -> Union[Judgement, Mapping[str, Judgement]]:
         """Judges a step.
 
-        `world.observation` has what was sensed, `world.action` what was done. Positions of bodies are those of the
-        start of its last physics step.
+        `world.observation` and `world.action` belong to the step, positions of bodies to the start of its last physics
+        step.
         """
         raise missing(self, "evaluate(self, world)")
 
     def observe(self, world: Access) -> Mapping[str, Any]:
-        """The values of `fields`, after evaluate and after reset: arrays by name, of a batch with worlds in front."""
+        """The values of `fields`, after evaluate and reset: arrays by name; in a batch the first axis is the world."""
         return {}
 
 
 class GoalTask(Task):
-    """A task with a goal that can be replaced afterwards, as hindsight experience replay (HER) does.
+    """A task with a goal that hindsight experience replay (HER) can replace.
 
-    Observations get "achieved_goal" and "desired_goal", both in the space `goal`; with `flatten` everything else is one
-    row "observation" beside them, as Gymnasium's GoalEnv has it. Derive achieved_goal, desired_goal and compute_reward.
+    Observations get "achieved_goal" and "desired_goal", both in the space `goal`; with `flatten` the other fields are
+    one row "observation", as in Gymnasium's GoalEnv. Override achieved_goal, desired_goal and compute_reward.
     """
 
     goal: spaces.Box
 
     def achieved_goal(self, world: Access) -> Any:
-        """What has been reached: an array, of a batch with worlds in front."""
+        """The achieved goal: an array; in a batch the first axis is the world."""
         raise missing(self, "achieved_goal(self, world)")
 
     def desired_goal(self, world: Access) -> Any:
-        """What was to be reached."""
+        """The desired goal."""
         raise missing(self, "desired_goal(self, world)")
 
     def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
-        """The reward, of goals alone. Computes along the last axis: goals are (n,), or any number of rows of them."""
+        """The reward of goals, along the last axis: goals are (n,) or rows of (n,)."""
         raise missing(self, "compute_reward(self, achieved_goal, desired_goal, info)")
 
     def evaluate(self, world: Access) -> Union[Judgement, Mapping[str, Judgement]]:
-        """The reward of the goals; derive it for ends of episodes: super().evaluate(world)._replace(terminated=...)."""
+        """The reward of the goals; override it to end episodes: super().evaluate(world)._replace(terminated=...)."""
         achieved, desired = self.achieved_goal(world), self.desired_goal(world)
         if isinstance(achieved, Mapping):
             return {name: Judgement(self.compute_reward(achieved[name], desired[name], {})) for name in achieved}
         return Judgement(self.compute_reward(achieved, desired, {}))
 
 
-SOLE = ("",)  # names of the infants where nobody asks for them
+SOLE = ("",)  # names of the infants, unless asked per infant
 Own = Dict[str, NDArray[Any]]  # fields that a task declares
 
 
 class Judge:
-    """Asks a task, for an environment, and refuses what cannot be meant."""
+    """Calls a task for an environment, and checks its results."""
 
     def __init__(self, task: Task, world: Access, agents: Sequence[str] = SOLE) -> None:
         self.task, self._name, self._agents = task, type(task).__name__, agents
@@ -124,7 +121,7 @@ class Judge:
                 raise ValueError(f"{self._name}: the world has a field {name!r} already; give yours another name")
 
     def judged(self, world: Access, agents: Sequence[str] = SOLE) -> Dict[str, Judgement]:
-        """What it says of a step, of each of these infants."""
+        """The judgement of a step, for each of these infants."""
         judged = self._of_each(agents, self.task.evaluate(world), "evaluate", Judgement, "a mimo.Judgement")
         for judgement in judged.values():
             if (judgement.reward is None) != bool(judgement.terms):
@@ -135,7 +132,7 @@ class Judge:
         return judged
 
     def observed(self, world: Access, agents: Sequence[str] = SOLE) -> Dict[str, Own]:
-        """The declared fields of each of these infants, as arrays of their own."""
+        """The declared fields of each of these infants, as new arrays."""
         if not self.fields:
             return {name: {} for name in agents}
         parts = self._of_each(agents, self.task.observe(world), "observe", Mapping, "a dict of arrays")
@@ -146,14 +143,14 @@ class Judge:
         return {name: self._arrays(part) for name, part in parts.items()}
 
     def _of_each(self, agents: Sequence[str], given: Any, method: str, kind: Any, expected: str) -> Dict[str, Any]:
-        """What a method returned, by infant; where a world has only one, it need not be named."""
+        """The result of a method, by infant; a single infant need not be named."""
         method = f"{self._name}.{method}"
         named = isinstance(given, Mapping) and bool(given) and set(given) <= set(self._agents)
         if len(self._agents) == 1 and not named:
             given = dict.fromkeys(self._agents, given)
         elif not isinstance(given, Mapping):
             one, example = expected.split(" ", 1)[1], f'{{"{agents[0]}": ...}}'
-            raise TypeError(f"{method} returned {_what(given)}; return one {one} an infant, {example}")
+            raise TypeError(f"{method} returned {_what(given)}; return one {one} per infant, {example}")
         for agent in agents:
             if not isinstance(given.get(agent), kind):
                 whose = f" for {agent!r}" if agent else ""
@@ -176,7 +173,7 @@ class Judge:
 
 
 def missing(task: Any, method: str) -> NotImplementedError:
-    """What is raised where a task lacks a method that it has to have."""
+    """The error for a missing method."""
     return NotImplementedError(f"{type(task).__name__} has no method {method}; write one")
 
 

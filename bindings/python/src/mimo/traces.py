@@ -1,4 +1,4 @@
-"""What a recording has over time, for plots: joints, rewards, touch by part, gaze and sound. Plays the run once."""
+"""Curves of a recording, for plots: joints, rewards, touch by part, gaze and sound. Replays it once."""
 
 from __future__ import annotations
 
@@ -15,33 +15,31 @@ from .selection import Selection
 from .world import World
 
 REFERENCE = 20e-6  # Pa
-QUIET = 0.0  # dB; silence, and what is weaker
+QUIET = 0.0  # dB, the lower end of the scale
 Numbers = NDArray[np.float64]
 
 
 class Traces(NamedTuple):
-    """An infant's run; a row for each step."""
+    """Curves of one infant; a row per step."""
 
     time: Numbers  # end of the step, s
     joints: List[str]
-    bends: Numbers  # where in its range each joint is, -1 to 1
-    parts: List[str]  # of the body, that felt something
-    forces: Numbers  # on each of them, N
-    gaze: (
-        Numbers  # left eye to the side and up, right eye likewise, seen from the head, degrees; to its left is positive
-    )
-    levels: Optional[Numbers]  # left and right ear, dB re 20 uPa; None: it has no ears
+    bends: Numbers  # position of each joint in its range, -1 to 1
+    parts: List[str]  # parts of the body that were touched
+    forces: Numbers  # on each part, N
+    gaze: Numbers  # left eye sideways and up, then right eye, in the head's frame, degrees; left is positive
+    levels: Optional[Numbers]  # left and right ear, dB re 20 uPa; None without ears
     rewards: Numbers
 
 
 def _own(world: World, prefix: str) -> Selection:
-    """An infant's joints that have limits."""
+    """An infant's joints with limits."""
     joints = limited(world)
     return Selection(world, joints.ids[[name.startswith(f"{prefix}robot:") for name in joints.names]], joints.kind)
 
 
 class Listener:
-    """Gathers what one infant senses, step by step."""
+    """Collects the curves of one infant, step by step."""
 
     def __init__(self, world: World, agent: int) -> None:
         self._world, self._agent = world, agent
@@ -57,7 +55,7 @@ class Listener:
         self.rows: Dict[str, List[Any]] = {"bends": [], "forces": [], "gaze": [], "levels": [], "rewards": []}
 
     def add(self) -> None:
-        """The step that was made."""
+        """Adds a step."""
         world, rows = self._world, self.rows
         angles = self.joints._get(Quantity.JOINT_POSITION)
         rows["bends"].append(2 * (angles - self._low) / (self._high - self._low) - 1)
@@ -78,7 +76,7 @@ class Listener:
     def _gaze(self) -> Numbers:
         if self._head is None:
             return np.full(4, np.nan)
-        back = inverse(self._head.orientation)  # of the moment that the eyes' poses are of
+        back = inverse(self._head.orientation)  # of the same moment as the eyes' poses
         gaze = self._world.gaze(self._agent)
         ahead, left, up = turned(back, [gaze.left.direction, gaze.right.direction]).T
         sides, heights = np.arctan2(left, ahead), np.arctan2(up, np.hypot(ahead, left))
@@ -86,7 +84,7 @@ class Listener:
 
 
 def traces(recording: Recording, agent: int = 0, scene: Optional[str] = None) -> Traces:
-    """Plays a recording and gathers what an infant of it did and sensed."""
+    """Replays a recording and collects the curves of an infant."""
     with recording.world(0, scene) as world:
         if not 0 <= agent < len(world.agents):
             raise ValueError(f"infant is {agent}, expected 0 to {len(world.agents) - 1}")

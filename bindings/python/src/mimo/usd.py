@@ -1,6 +1,6 @@
-"""A world as it is as a USD file: shapes, materials, textures, lights. Needs the extra [usd].
+"""Writes the current state of a world as a USD file: shapes, materials, textures, lights. Needs the extra [usd].
 
-mimo.usd.write(world, "infant.usdc")    # or .usda, a text; or .usdz, with the textures inside
+mimo.usd.write(world, "infant.usdc")    # or .usda (text), or .usdz (with the textures inside)
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ LAMP = 0.05  # radius of lamps, m
 
 
 def write(world: World, file: Union[str, "os.PathLike[str]"], segments: int = 24, plane: float = 20.0) -> List[Path]:
-    """Writes a world, and its textures to a folder beside (but not for .usdz, which has them inside).
+    """Writes a world, with its textures in a folder beside the file, or inside a .usdz file.
 
-    Returns the files that were written. Metres, z is up; a transform for each body, with its geoms below it.
+    Returns the written files. Units are metres, z is up; each body is a transform with its geoms below it.
     """
     path = Path(file)
     if path.suffix not in ENDINGS:
@@ -50,7 +50,7 @@ def write(world: World, file: Union[str, "os.PathLike[str]"], segments: int = 24
 
 
 def _made(world: World, folder: Path, path: Path, segments: int, plane: float) -> List[Path]:
-    """The document and its textures, in a folder of their own."""
+    """The document and its textures, in a temporary folder."""
     from pxr import Sdf, Tf, UsdUtils
 
     packed = path.suffix == ".usdz"
@@ -63,7 +63,7 @@ def _made(world: World, folder: Path, path: Path, segments: int, plane: float) -
             return [folder / path.name]
     except Tf.ErrorException as error:
         raise OSError(f"cannot write {path}: {' '.join(str(error).split())}") from None
-    raise OSError(f"cannot write {path}: the package cannot be made; is there room?")
+    raise OSError(f"cannot write {path}: the package cannot be made; is the disk full?")
 
 
 def _need() -> None:
@@ -158,7 +158,7 @@ class _Writer:
         UsdShade.MaterialBindingAPI.Apply(shape).Bind(material)
 
     def _reader(self, path: str, name: str, texture: int, amount: List[float]) -> Any:
-        """A shader that looks into a texture, times a colour."""
+        """A shader of a texture times a colour."""
         from pxr import Gf, Sdf, UsdShade
 
         reader = UsdShade.Shader.Define(self._stage, f"{path}/places")
@@ -183,18 +183,18 @@ class _Writer:
             folder.mkdir(exist_ok=True)
             file = folder / f"{number}.png"
             texture = self._world.texture(number)
-            assert texture.type is not TextureType.SKY  # which no geom has
+            assert texture.type is not TextureType.SKY  # a name that no geom has
             Image.fromarray(picture(texture)).save(file)
             self.written.append(file)
             self._textures[number] = f"./{folder.name}/{file.name}"
         return self._textures[number]
 
     def _add_lights(self) -> None:
-        """MuJoCo's lights have no units: white things under them are to be as bright as there, where infants are."""
+        """Adds the lights. MuJoCo's have no units; white things near infants get the same brightness."""
         from pxr import UsdLux
 
         head = self._world.light()
-        dome = UsdLux.DomeLight.Define(self._stage, "/World/around")  # half of it: the camera's light reaches one side
+        dome = UsdLux.DomeLight.Define(self._stage, "/World/around")  # half: the camera's light reaches one side
         _set_light(dome, head.ambient + head.diffuse / 2, 1.0)
         for number, light in enumerate(self._world.light_sources()):
             if light.active:

@@ -1,4 +1,4 @@
-"""The vectorised environment: Gymnasium's VectorEnv on the library's batch."""
+"""A VectorEnv of Gymnasium on the library's batch."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ MODES = {"NextStep": Autoreset.NEXT_STEP, "SameStep": Autoreset.SAME_STEP, "Disa
 
 
 def _declared(mode: str) -> Any:
-    """The mode as Gymnasium's wrappers look for it: an enum since Gymnasium 1.1, which 1.0 does not have."""
+    """The mode as Gymnasium's wrappers expect it: an enumeration since Gymnasium 1.1."""
     modes = getattr(gymnasium.vector, "AutoresetMode", None)
     return mode if modes is None else modes(mode)
 
@@ -37,15 +37,14 @@ def _declared(mode: str) -> Any:
 class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     """Many worlds of one scene, stepped by the library's threads.
 
-    Observations are views of the library's blocks, not copies. There are two blocks in turn, so an observation is
-    good until the second step after it: copy what is to be kept longer. With `flatten` they are copied into one row of
-    numbers a world.
+    Observations are views of two alternating blocks of the library, so an observation is valid until the second step
+    after it; copy it to keep it longer. With `flatten` they are copied into one row of numbers per world.
 
     `autoreset_mode` is "NextStep" (the step after an end starts the next episode), "SameStep" (the step that ends an
-    episode also starts the next; the old one's last observation is in infos["final_obs"]) or "Disabled" (worlds go
-    on until reset(options={"reset_mask": mask})).
+    episode also starts the next; infos["final_obs"] has the old one's last observation) or "Disabled" (worlds
+    continue until reset(options={"reset_mask": mask})).
 
-    With `ages` (months, or options of growth) the infants of world i are as old as number i of them, which repeat.
+    With `ages` (months, or options of growth) the infants of world i have the i-th age; a shorter list repeats.
     """
 
     def __init__(
@@ -71,7 +70,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._painter = Painter(render_mode, (width, height), PICTURE, camera)
         self._mode, self.render_mode, self.num_envs = MODES[mode], render_mode, num_envs
         self.autoreset_mode = _declared(mode)
-        # The library starts worlds anew by itself where nothing has to be asked or done in between.
+        # The library resets worlds if nothing has to be done in between.
         by_library = self._mode == Autoreset.NEXT_STEP and not isinstance(task, Task)
         self.batch = Batch(
             scene,
@@ -85,7 +84,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._by_library = by_library
         self._judge = Judge(task, self.batch) if isinstance(task, Task) else None
         self._view = View(self.batch.layout.fields, self._judge.fields if self._judge else {}, flatten)
-        if isinstance(task, GoalTask):  # only then: learners take an environment that has it for one with goals
+        if isinstance(task, GoalTask):  # only with goals: learners test for this attribute
             self.compute_reward = task.compute_reward
         first = self.batch.world(0)
         self.single_observation_space = self._view.space
@@ -99,7 +98,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._prepare()
 
     def _prepare(self) -> None:
-        """What belongs to this object's own batch."""
+        """Sets what belongs to this object's own batch."""
         self._blocks = [self.batch.blocks, self.batch.layout.new_block(self.num_envs)]
         self._views = [self.batch.layout.views(blocks) for blocks in self._blocks]
         self._turn = 0
@@ -116,10 +115,8 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     ) -> Tuple[Any, Dict[str, Any]]:
         """Starts episodes. One seed s means s, s + 1, ...; options={"reset_mask": mask} restarts some worlds only.
 
-        Of several seeds, one for each world, None leaves a world's random numbers as they are; in the first reset they
-        come from chance.
-
-        options={"ages": [...]} makes infants as old as that, one number of months (or options of growth) a world.
+        In a list of seeds, one per world, None lets that world continue its random numbers, or chooses its first seed.
+        options={"ages": [...]} sets the infants' ages, months or options of growth, one per world.
         """
         given = reset_options(options, "reset_mask", "ages")
         mask, ages = given.get("reset_mask"), given.get("ages")
@@ -134,21 +131,21 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         return self._observation(self._own()), {}
 
     def step(self, actions: Any) -> Results:
-        """Goes one step on in all worlds."""
-        self.batch.step_into(self._blocks[1 - self._turn], actions)  # in one call: nothing to be lost by an interrupt
+        """Steps all worlds."""
+        self.batch.step_into(self._blocks[1 - self._turn], actions)  # in one call, so that an interrupt loses nothing
         return self._results()
 
     def send(self, actions: Any) -> None:
-        """Starts a step and returns, so that something else can be done meanwhile; receive() gives its results."""
+        """Starts a step and returns at once; receive() returns its results."""
         self.batch.send(actions, self._blocks[1 - self._turn])
 
     def receive(self) -> Results:
-        """Waits for the step that was sent."""
+        """Waits for the step in flight."""
         self.batch.receive()
         return self._results()
 
     def render(self) -> Optional[Tuple[NDArray[Any], ...]]:
-        """One picture a world."""
+        """One picture per world."""
         if self.render_mode is None:
             without_mode(type(self))
             return None
@@ -156,20 +153,20 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
 
     def close_extras(self, **kwargs: Any) -> None:
         """Closes the batch."""
-        if hasattr(self, "batch"):  # Gymnasium calls this, too, for an object that could not be made
+        if hasattr(self, "batch"):  # Gymnasium also calls this for an object whose constructor failed
             self.batch.close()
 
     # ---- Episodes ------------------------------------------------------------------------------------------------
 
     def _results(self) -> Results:
-        """What the step gave that has just ended."""
+        """The results of the step that has just ended."""
         self._turn = 1 - self._turn
-        self.batch._last.sensed = self._views[self._turn]  # made once
+        self.batch._last.sensed = self._views[self._turn]  # cached
         reward, terminated, truncated, judged = self._judged()
         begins = self._over if self._mode == Autoreset.NEXT_STEP else np.zeros_like(self._over)
         self._over = (terminated | truncated) & ~begins
         infos = self._infos(self._over, ~begins, judged)
-        if not self._by_library and begins.any():  # worlds whose episode ended in the last step begin one instead
+        if not self._by_library and begins.any():  # worlds whose episode ended in the last step begin a new one instead
             reward[begins], terminated[begins], truncated[begins] = 0, False, False
             self._start(self._blocks[self._turn], None, begins)
         own = self._own()
@@ -187,11 +184,11 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         return reward, terminated, truncated | self._each(judged.truncated, np.bool_), judged
 
     def _each(self, value: Any, kind: Any = None) -> NDArray[Any]:
-        """A value of each world, where a task may have given one for all."""
+        """One value per world, where a task may give a single one."""
         return np.array(np.broadcast_to(value, (self.num_envs, *np.shape(value)[1:])), kind)
 
     def _infos(self, over: Flags, acted: Flags, judged: Optional[Judgement]) -> Dict[str, Any]:
-        """How episodes ended; of a task in Python also what it tells of each step."""
+        """Infos of ended episodes; with a mimo.Task also of each step."""
         if judged is None:
             return self._endings(over) if over.any() else {}
         infos = self._masked(judged.info, acted) if acted.any() else {}
@@ -204,12 +201,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         return infos
 
     def _masked(self, values: Mapping[str, Any], mask: Flags) -> Dict[str, Any]:
-        """Gymnasium's infos: an array by name, and by "_name" where it counts."""
+        """Gymnasium's infos: an array by name, and its mask by "_name"."""
         infos: Dict[str, Any] = {name: self._each(value) for name, value in values.items()}
         return {**infos, **{"_" + name: mask.copy() for name in values}}
 
     def _endings(self, over: Flags) -> Dict[str, Any]:
-        """What the library's task tells of the episodes that have ended."""
+        """Infos of ended episodes by the library's task."""
         outcome, rows = self.batch.outcome[:, 0], self.batch.terms.T
         ends = {"is_success": outcome == Outcome.SUCCESS, "is_failure": outcome == Outcome.FAILURE}
         infos = self._masked({name: over & end for name, end in ends.items()}, over)
@@ -218,7 +215,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         return infos
 
     def _restart(self, over: Flags, infos: Dict[str, Any], own: Own) -> Own:
-        """SameStep: keeps the last observations of what has ended, and starts it anew."""
+        """SameStep: keeps the last observations of ended episodes, and starts new ones."""
         last: NDArray[Any] = np.full(self.num_envs, None, object)
         for index in np.flatnonzero(over):
             last[index] = self._copy_of(int(index), own)
@@ -246,7 +243,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     # ---- Observations --------------------------------------------------------------------------------------------
 
     def _own(self) -> Own:
-        """The fields that a task in Python declares."""
+        """The fields of a mimo.Task."""
         return {} if self._judge is None else self._judge.observed(self.batch)[""]
 
     def _observation(self, own: Own) -> Any:
@@ -256,7 +253,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         rows = {name: field[index].copy() for name, field in {**self._views[self._turn], **own}.items()}
         return self._view.show(rows)
 
-    # ---- Copies: by the batch's state; blocks and names are made anew ----------------------------------------------
+    # ---- Copies: by the batch's state; blocks and selections are new -----------------------------------------------
 
     def __getstate__(self) -> Dict[str, Any]:
         mine = {key: value for key, value in self.__dict__.items() if key not in ("_blocks", "_views", "_worlds")}
@@ -268,11 +265,11 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self._prepare()
         self._blocks[self._turn][...] = block
         if self._judge is not None:
-            self._judge.task.setup(self.batch)  # what it had looked up belonged to the other batch
+            self._judge.task.setup(self.batch)  # its selections belong to the other batch
 
 
 def from_chance(seed: Any) -> Any:
-    """Seeds for worlds that have none yet: what was not given comes from chance."""
+    """Seeds for worlds that have none yet; missing ones are random."""
     if isinstance(seed, (list, tuple)):
         return [secrets.randbits(63) if one is None else one for one in seed]
     return secrets.randbits(63) if seed is None else seed

@@ -1,4 +1,4 @@
-"""Videos of an infant: both eyes, the scene from outside, touch, and what the ears hear. Needs the extra [video].
+"""Videos of an infant: both eyes, the scene from outside, touch and sound. Needs the extra [video].
 
     python -m mimo.video run.h5 --out run.mp4
     python -m mimo.video --scene showroom --seconds 5 --out live.mp4
@@ -29,19 +29,19 @@ from .view.recorded import Recorded
 from .view.source import Live, Source
 from .world import World
 
-SIZE = (1120, 640)  # pixels of the whole
+SIZE = (1120, 640)  # pixels of the video
 OUTSIDE = (720, 640)
-SIDE = SIZE[0] - OUTSIDE[0]  # of what is right of that: eyes above, touch below
+SIDE = SIZE[0] - OUTSIDE[0]  # pixels of the right part: eyes above, touch below
 CAMERA = {"distance": 1.35, "azimuth": 145.0, "elevation": -25.0, "fovy": 45.0}
-FOLLOW = 0.2  # how much of its way to the infant the camera goes in a frame
-RATE = 25  # pictures a second
+FOLLOW = 0.2  # share of its way to the infant that the camera moves per frame
+RATE = 25  # pictures per second
 FULL_SCALE = 1.0  # Pa, 94 dB, as in the program's sound files
-FORMATS = (".mp4", ".m4v", ".mov", ".mkv", ".avi", ".ts")  # that hold H.264 and AAC
+FORMATS = (".mp4", ".m4v", ".mov", ".mkv", ".avi", ".ts")  # containers for H.264 and AAC
 GREY, SKIN, PAPER = (110, 110, 110), (140, 140, 140), (255, 255, 255)
 
 
 class Frame:
-    """Draws one picture of a video after the other."""
+    """Draws the pictures of a video."""
 
     def __init__(self, world: World, agent: int = 0) -> None:
         self._world = world
@@ -54,7 +54,7 @@ class Frame:
         self._at = world.poses(Kind.BODY).positions[self._hip].copy()
 
     def draw(self) -> NDArray[np.uint8]:
-        """The world as it is now."""
+        """A picture of the current state."""
         from PIL import Image
 
         whole = Image.new("RGB", SIZE, PAPER)
@@ -72,7 +72,7 @@ class Frame:
         return np.asarray(whole)
 
     def _outside(self) -> Any:
-        """The scene, with dots where something is felt."""
+        """The scene, with dots on touched sensors."""
         from PIL import Image, ImageDraw
 
         view = {**CAMERA, "look_at": self._at.tolist(), "width": OUTSIDE[0], "height": OUTSIDE[1]}
@@ -124,7 +124,7 @@ class Frame:
 
 
 class File:
-    """A video file that is written, in one of FORMATS."""
+    """A video file being written, in one of FORMATS."""
 
     def __init__(self, path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> None:
         av = self._av = _av()
@@ -141,11 +141,11 @@ class File:
         self._rate, self._full_scale, self._done = sound_rate, full_scale, 0
 
     def show(self, picture: NDArray[np.uint8]) -> None:
-        """The next picture."""
+        """Adds a picture."""
         self._mux(self._pictures, self._av.VideoFrame.from_ndarray(picture, format="rgb24"))
 
     def play(self, samples: NDArray[np.float32]) -> None:
-        """Further sound: samples x 2, Pa."""
+        """Adds sound: samples x 2, Pa."""
         loud = np.clip(samples.T / self._full_scale, -1, 1).astype(np.float32)
         frame = self._av.AudioFrame.from_ndarray(np.ascontiguousarray(loud), format="fltp", layout="stereo")
         frame.sample_rate, frame.pts = self._rate, self._done
@@ -157,14 +157,14 @@ class File:
             self._file.mux(packet)
 
     def finish(self) -> None:
-        """Writes the rest."""
+        """Writes the end of the file."""
         for stream in (self._pictures, self._sound):
             if stream is not None:
                 self._mux(stream, None)
         self._file.close()
 
     def give_up(self) -> None:
-        """Closes what cannot be finished."""
+        """Closes a file that cannot be finished."""
         with suppress(self._av.FFmpegError):
             self._file.close()
 
@@ -186,10 +186,10 @@ def film(
     agent: int = 0,
     full_scale: float = FULL_SCALE,
 ) -> int:
-    """Films a source, a recording from where it is or a live world at random; returns the number of pictures."""
+    """Films a recording from its current step, or a live world; returns the number of pictures."""
     world, step_seconds = source.world, source.step_seconds
     if not 1 <= rate <= 1 / step_seconds:
-        raise ValueError(f"--rate is {rate}, expected 1 to {1 / step_seconds:g} pictures a second")
+        raise ValueError(f"--rate is {rate}, expected 1 to {1 / step_seconds:g} pictures per second")
     ears = [list(prefixes(world))[agent] + ear for ear in EARS]
     hears = ears[0] in world.layout.fields
     sound_rate = round(world.layout.fields[ears[0]].sample_rate) if hears else None
@@ -208,7 +208,7 @@ def film(
 
 @contextmanager
 def _video(path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> Iterator[File]:
-    """A file that gets its name when it is whole."""
+    """A file that gets its name when it is complete."""
     if os.path.splitext(path)[1].lower() not in FORMATS:
         raise ValueError(f"{path} cannot be written as a video: expected a name that ends with {', '.join(FORMATS)}")
     with new_file(path) as beside:
@@ -233,25 +233,25 @@ def _steps(source: Source, seconds: Optional[float]) -> int:
 
 
 def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
-    """What was asked for."""
-    parser = argparse.ArgumentParser(prog="python -m mimo.video", description="Films an infant and what it senses.")
-    parser.add_argument("recording", nargs="?", metavar="FILE.h5", help="a recording; without, a scene at random")
+    """The arguments of the command line."""
+    parser = argparse.ArgumentParser(prog="python -m mimo.video", description="Films an infant and its senses.")
+    parser.add_argument("recording", nargs="?", metavar="FILE.h5", help="a recording; default: a scene, random actions")
     parser.add_argument("--out", required=True, metavar="FILE.mp4", help="the video")
-    parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark); of a recording that does not tell")
+    parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark)")
     parser.add_argument("--seed", type=int, default=1, help="of a scene (1)")
-    parser.add_argument("--age", type=float, help="of a scene's infants, months")
-    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="where to begin in a recording (0)")
-    parser.add_argument("--seconds", type=float, metavar="S", help="how much; a scene is filmed for 10")
+    parser.add_argument("--age", type=float, help="age of a scene's infants, months")
+    parser.add_argument("--start", type=float, default=0.0, metavar="S", help="start in a recording, s (0)")
+    parser.add_argument("--seconds", type=float, metavar="S", help="length, s; the default for a scene is 10")
     parser.add_argument("--eyes", type=int, default=EYES, help=f"pixels of each eye, across and down ({EYES}); 0: none")
-    parser.add_argument("--rate", type=int, default=RATE, help=f"pictures a second ({RATE})")
-    parser.add_argument("--infant", type=int, default=0, help="whose eyes, skin and ears: 0, the first")
-    help_loud = f"sound pressure that is the loudest in the file ({FULL_SCALE:g})"
+    parser.add_argument("--rate", type=int, default=RATE, help=f"pictures per second ({RATE})")
+    parser.add_argument("--infant", type=int, default=0, help="number of the infant (0)")
+    help_loud = f"sound pressure of full scale, Pa ({FULL_SCALE:g})"
     parser.add_argument("--full-scale", type=float, default=FULL_SCALE, metavar="PA", help=help_loud)
     return parser.parse_args(given)
 
 
 def opened(asked: argparse.Namespace) -> Source:
-    """The source that was asked for, at its start."""
+    """The requested source, at its start."""
     if asked.seconds is not None and not asked.seconds > 0:
         raise ValueError(f"--seconds is {asked.seconds:g}, expected more than 0")
     if not 0 < asked.full_scale < float("inf"):
@@ -271,7 +271,7 @@ def opened(asked: argparse.Namespace) -> Source:
 
 
 def main() -> int:
-    """Writes a video; says how long it is."""
+    """Writes a video and prints its length."""
     asked = arguments()
     try:
         _av()

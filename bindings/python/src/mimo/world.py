@@ -33,9 +33,9 @@ _step = LIB.mimo_env_step
 
 @dataclass(frozen=True)
 class Agent:
-    """What is to be known of one infant of a world."""
+    """One infant of a world."""
 
-    name: str  # "" for a sole one
+    name: str  # "" for a single infant
     actions: slice  # its part of the action array
     mass: float  # kg
     height: float  # vertical extent in the initial pose, m
@@ -49,21 +49,21 @@ class Sightline(NamedTuple):
 
 
 class Gaze(NamedTuple):
-    """Where an infant looks."""
+    """The gaze of an infant."""
 
     left: Sightline
     right: Sightline
-    vergence: float  # angle between the lines of sight, rad; negative where they lead apart
-    point: Optional[Numbers]  # where they come closest to each other, world, m; None where they lead apart
-    miss: float  # how far they pass each other there, m
+    vergence: float  # angle between the lines of sight, rad; negative if they diverge
+    point: Optional[Numbers]  # the point where they are closest, world, m; None if they diverge
+    miss: float  # their distance there, m
 
 
 class LookAngles(NamedTuple):
-    """Joints that make an infant look at a point: of the left eye, then of the right one; the head's before them."""
+    """Joints that make an infant look at a point: of the head, the left eye, and the right eye."""
 
     joints: List[str]
     angles: Numbers  # rad, within the joints' ranges
-    errors: Numbers  # by how much the left and the right eye miss the point because of their range, rad
+    errors: Numbers  # errors of the left and the right eye because of their range, rad
 
 
 class Picture(NamedTuple):
@@ -83,7 +83,7 @@ def env_config(options: Dict[str, Any], kind: Type[PhysicsOptions] = WorldOption
 
 
 def reset_config(seed: Optional[int], ages: Sequence[Age] = ()) -> Optional[_abi.ResetConfig]:
-    """The C struct of a reset; None lets random numbers go on, without ages infants stay as they are."""
+    """The C struct of a reset; without a seed random numbers continue, without ages infants stay the same."""
     if seed is None and not ages:
         return None
     growth, count = growths(ages) if ages else (None, 0)
@@ -94,14 +94,14 @@ def reset_config(seed: Optional[int], ages: Sequence[Age] = ()) -> Optional[_abi
 class World(Geometry):
     """One world with its infants, their senses and a task.
 
-    `World("reach", vision=False)` makes it of a built-in scene with its infants, `World(scene)` of a scene of your own.
-    Worlds can be pickled (by their scene, options and state) and copied (the copy goes on in the same state).
+    `World("reach", vision=False)` makes it of a built-in scene with its infants, `World(scene)` of a mimo.Scene.
+    Worlds can be pickled (by their scene, options and state) and copied (the copy has the same state).
     """
 
-    block: NDArray[np.uint8]  # where step, reset and observe sense into
-    _growths: Sequence[Mapping[str, Any]] = ()  # of its infants
-    _owner: Any = None  # the batch that a world belongs to and keeps alive
-    _row: Any = None  # of a world in a batch: gives what the batch sensed of it later than the world itself, or None
+    block: NDArray[np.uint8]  # observations of step, reset and observe
+    _growths: Sequence[Mapping[str, Any]] = ()  # options of growth, per infant
+    _owner: Any = None  # the batch that it belongs to and keeps alive
+    _row: Any = None  # of a world in a batch: its row of the batch's observations
 
     def __init__(self, scene: Union[str, Scene] = "benchmark", **options: Unpack[Options]) -> None:
         made, rest = prepare(scene, options)
@@ -127,7 +127,7 @@ class World(Geometry):
     ) -> None:
         self._scene, self._options, self._growths = scene, options, scene._growths
         self._handle = self._names_handle = handle
-        if scene._task is not None and handle.value is not None:  # which is to know the world that it is asked about
+        if scene._task is not None and handle.value is not None:  # the task is called with this world
             scene._task.worlds.setdefault(handle.value, self)
         self._take(layout, agents_of(handle, layout.agents))
         self._have(block=layout.new_block())
@@ -138,7 +138,7 @@ class World(Geometry):
             for agent in range(layout.agents)
         ]
         self._action = np.zeros(len(layout.actions), np.float32)
-        # What a step is called with, made once.
+        # Arguments of steps, made once.
         self._results_place = ctypes.byref(results.for_world())
         self._action_place = (self._action.ctypes.data, len(self._action))
         self._block_place = (self.block.ctypes.data, layout.bytes)
@@ -147,9 +147,9 @@ class World(Geometry):
 
     @known_keywords
     def reset(self, seed: Optional[int] = None, age: Union[Age, Sequence[Age]] = None) -> Observation:
-        """Starts an episode; without a seed the world goes on with its own random numbers.
+        """Starts an episode; without a seed the world continues its random numbers.
 
-        With `age`, months or options of growth, its infants become as old as that; a list has one for each.
+        `age`, months or options of growth, sets the age of its infants; a list has one for each.
         """
         self.reset_into(self.block, seed, age)
         return self._views
@@ -169,12 +169,12 @@ class World(Geometry):
             self.renew()
 
     def step(self, action: Optional[ArrayLike] = None) -> StepResult:
-        """Goes one step on. Actions are clipped to their bounds; None leaves the motors as they are."""
+        """Makes one step. Actions are clipped to their bounds; None keeps the motors' commands."""
         self.step_into(self.block, action)
         return self._result
 
     def step_into(self, block: Optional[NDArray[np.uint8]], action: Optional[ArrayLike] = None) -> None:
-        """As step, with a block of your own; None skips the senses. What else it gives is in reward, outcome, ..."""
+        """As step, with a block of your own; None skips the senses. Results are in reward, outcome, ..."""
         self._step_at(*self._place(block), action)
         self._sense(block)
 
@@ -184,7 +184,7 @@ class World(Geometry):
             raise_error(status)
 
     def _sense(self, sensed: "Union[Observation, NDArray[np.uint8], None]") -> None:
-        """Remembers what was sensed: its block, or its fields; None: nothing was."""
+        """Remembers the latest observation: its block, or its fields; None: there was none."""
         if sensed is None:
             return
         self._last.sensed = self._views if sensed is self.block else sensed
@@ -193,25 +193,25 @@ class World(Geometry):
 
     @property
     def observation(self) -> Observation:
-        """What was sensed last, by a step, reset or observe, into whatever block; zeros before anything was.
+        """The latest observation of a step, reset or observe, in any block; zeros before the first.
 
-        Of a world in a batch, by the batch or by the world itself.
+        In a batch it is the latest of the batch and the world.
         """
         if self._row is not None:
             self._row.look(self._last)
         return super().observation
 
     def follow(self, positions: ArrayLike) -> Followed:
-        """One step of a movement that is known: joints go where they are told, and senses answer.
+        """One step of a known movement: joints follow `positions`, and the senses observe.
 
-        positions: frame_skip x the positions of all joints, as get(Quantity.JOINT_POSITION) has them one after the
-        other, at the end of each physics step. Gives the observation, and the forces that it takes: frame_skip x one
-        for each degree of freedom, N or Nm, beside contacts, limits, springs and dampers.
+        positions: frame_skip x positions of all joints, in the order of get(Quantity.JOINT_POSITION), for the end of
+        each physics step. Returns the observation and the required forces: frame_skip x degrees of freedom, N or Nm,
+        beside contacts, limits, springs and dampers.
         """
         told = np.ascontiguousarray(positions, np.float64)
         if told.ndim > 1 and len(told) != self.frame_skip:
             raise ValueError(
-                f"positions of the shape {told.shape}, expected {self.frame_skip} rows, one a physics step"
+                f"positions of the shape {told.shape}, expected {self.frame_skip} rows, one per physics step"
             )
         forces = np.empty((self.frame_skip, len(self.get(Quantity.JOINT_VELOCITY).ravel())))
         movement = _abi.Movement(
@@ -225,19 +225,19 @@ class World(Geometry):
         return Followed(self._views, forces)
 
     def step_with(self, move: Any, senses: bool = True) -> None:
-        """A step that a function of the library makes, which gets this world, and where block and results go."""
+        """A step by another function, which gets this world and the addresses of its block and results."""
         self._last.actions = None
         block = self.block if senses else None
         check(move(self._handle, *self._place(block), self._results_place))
         self._sense(block)
 
     def renew(self) -> None:
-        """Looks again at what depends on the age of infants."""
+        """Updates what depends on the age of infants."""
         self._have(agents=agents_of(self._handle, self.layout.agents))
         self.layout._renew()
 
     def observe(self) -> Observation:
-        """What the senses give for the current state, without changing the trajectory."""
+        """Observes the current state without changing the trajectory."""
         self.observe_into(self.block)
         return self._views
 
@@ -247,13 +247,13 @@ class World(Geometry):
         self._sense(block)
 
     def physics_step(self, count: int = 1) -> None:
-        """Bare physics: physics steps with the controls as they are, without senses or task."""
+        """Makes physics steps with the current controls, without senses or task."""
         check(LIB.mimo_env_physics_step(self._handle, number_of("count", count)))
 
     def play(self, body: str, samples: ArrayLike, rate: Optional[float] = None) -> None:
-        """Lets a body play samples (Pa at 1 m) from the next physics step on, after what it plays already.
+        """Lets a body play samples (Pa at 1 m) from the next physics step on, after its queued sound.
 
-        None: at the rate of the ears, Field.sample_rate. No samples: what it plays ends. See Scene.set_sources.
+        The default rate is that of the ears, Field.sample_rate. Empty samples stop it. See Scene.set_sources.
         """
         play(LIB.mimo_env_play, self._handle, self.layout, body, samples, rate)
 
@@ -279,14 +279,14 @@ class World(Geometry):
             raise ValueError("block: expected a contiguous, writable array of uint8, as layout.new_block() gives it")
         return block.ctypes.data, block.nbytes
 
-    # ---- As one of many: what a task needs that serves both ----------------------------------------------------------
+    # ---- As one of many, for tasks that serve both -------------------------------------------------------------------
 
     def world(self, index: int = 0) -> "World":
-        """Itself: number 0 of one."""
+        """This world, which is number 0 of one."""
         index_in("world", index, 1)
         return self
 
-    # ---- What it is ----------------------------------------------------------------------------------------------
+    # ---- Properties ----------------------------------------------------------------------------------------------
 
     @property
     def task(self) -> str:
@@ -310,17 +310,17 @@ class World(Geometry):
 
     @property
     def timing(self) -> Dict[str, float]:
-        """Where the time of steps went, in seconds; needs the option timing=True."""
+        """Computing time of steps by part, s; needs the option timing=True."""
         timing = _abi.Timing()
         check(LIB.mimo_env_timing(self._handle, timing))
         return {name: getattr(timing, name) for name, *_ in timing._fields_[2:]}
 
     def reset_timing(self) -> None:
-        """Starts counting anew."""
+        """Sets these times to 0."""
         check(LIB.mimo_env_timing_reset(self._handle))
 
     def reward_terms(self, agent: int = 0) -> Dict[str, float]:
-        """The terms of an infant's last reward, which is their sum, by name."""
+        """The terms of an infant's last reward, by name; the reward is their sum."""
         numbers = self.terms.tolist()
         return {name: numbers[index] for name, index in self._term_places[self._agent(agent)]}
 
@@ -336,7 +336,7 @@ class World(Geometry):
         check(LIB.mimo_env_set(self._handle, quantity, ids.ctypes.data, len(ids), values.ctypes.data, values.size))
 
     def random(self, count: int, mask: Mask = None) -> Numbers:
-        """Numbers from 0 to 1 from the world's own random stream, which is part of its state."""
+        """Random numbers from 0 to 1, from the stream in the world's state."""
         if mask is not None:
             raise ValueError("mask: there is only one world")
         values = np.empty(number_of("count", count))
@@ -344,22 +344,22 @@ class World(Geometry):
         return values
 
     def contacts(self, world: int = 0) -> Contacts:
-        """The contacts that the last physics step computed, or the reset."""
+        """The contacts of the last physics step, or of the reset."""
         return contacts_of(self.world(world)._handle)
 
     def step_contacts(self, world: int = 0) -> StepContacts:
-        """What touched what during the last step; needs the option step_contacts=True."""
+        """The contacts during the last step; needs the option step_contacts=True."""
         return step_contacts_of(self.world(world)._handle)
 
     def warnings(self) -> Dict[str, int]:
-        """How many physics steps had each kind of warning since the world was made: all 0 for a clean run."""
+        """Number of physics steps with each kind of warning, since the world was made."""
         counts = self.get(Quantity.WARNING_STEPS)
         return {self.name(Kind.WARNING, index): int(count) for index, count in enumerate(counts)}
 
     # ---- Looking ---------------------------------------------------------------------------------------------------
 
     def gaze(self, agent: int = 0) -> Gaze:
-        """Where an infant looks, by the poses of its eyes' cameras as they are."""
+        """The gaze of an infant, by the current poses of its eyes' cameras."""
         gaze = _abi.Gaze()
         check(LIB.mimo_env_gaze(self._handle, self._agent(agent), gaze))
         return Gaze(
@@ -371,9 +371,9 @@ class World(Geometry):
         )
 
     def look_at(self, point: ArrayLike, how: Look = Look.EYES, agent: int = 0) -> Numbers:
-        """Makes an infant look at a point (world, m) at once; springs and motors move its joints on in the next step.
+        """Turns an infant's eyes to a point (world, m) at once; in the next step springs and motors act again.
 
-        Returns the angles by which the left and the right eye miss the point because of their range, rad.
+        Returns the errors of the left and the right eye because of their range, rad.
         """
         errors = (ctypes.c_double * 2)()
         target, turns = vector("point", point, 3), whole_number("how", how, Look)
@@ -390,15 +390,15 @@ class World(Geometry):
         check(LIB.mimo_env_look_angles(*asked, *places))
         return LookAngles([self.name(Kind.JOINT, int(joint)) for joint in joints], angles, np.array(errors))
 
-    # ---- What differs from world to world; it outlives resets --------------------------------------------------------
+    # ---- Properties that outlive resets ------------------------------------------------------------------------------
 
     def face(self, agent: int = 0) -> str:
-        """The face that an infant shows; "" for a body without faces."""
+        """An infant's face; "" for a body without faces."""
         number = int(self.get(Quantity.AGENT_FACE, [self._agent(agent)])[0])
         return "" if number < 0 else self.name(Kind.FACE, number)
 
     def set_face(self, name: str, agent: int = 0) -> None:
-        """Gives an infant another face, see mimo.faces(); pictures show it from the next one on."""
+        """Sets an infant's face, see mimo.faces()."""
         self.set(Quantity.AGENT_FACE, self.find(Kind.FACE, name), [self._agent(agent)])
 
     def lock(self, joint: str, angle: float) -> None:
@@ -406,12 +406,12 @@ class World(Geometry):
         self.set(Quantity.JOINT_LOCK, [1, real_number("angle", angle)], [joint])
 
     def unlock(self, joint: str) -> None:
-        """Lets a joint go, also one that the scene has locked."""
+        """Releases a joint, also one that the scene has locked."""
         _, angle = self.get(Quantity.JOINT_LOCK, [joint]).ravel()
         self.set(Quantity.JOINT_LOCK, [0, angle], [joint])
 
     def locked(self, joint: str) -> Optional[float]:
-        """The angle at which a joint is held, or None."""
+        """The angle at which a joint is locked, or None."""
         held, angle = self.get(Quantity.JOINT_LOCK, [joint]).ravel()
         return float(angle) if held else None
 
@@ -427,21 +427,21 @@ class World(Geometry):
     # ---- Pictures ------------------------------------------------------------------------------------------------
 
     def render(self, **picture: Unpack[PictureOptions]) -> NDArray[np.uint8]:
-        """Draws the current state: height x width x 3, row 0 is the top. By default 640 x 480 of the infant's front."""
+        """Draws the current state: height x width x 3, row 0 is the top. Default: 640 x 480, from the front."""
         config = _picture_config(picture)
         rgb = np.empty((config.height, config.width, 3), np.uint8)
         self._draw(config, rgb=rgb.ctypes.data, rgb_bytes=rgb.size)
         return rgb
 
     def depth(self, **picture: Unpack[PictureOptions]) -> NDArray[np.float32]:
-        """Distances along the camera's axis in such a picture: height x width, m."""
+        """Distances along the camera's axis: height x width, m."""
         config = _picture_config(picture)
         depth = np.empty((config.height, config.width), np.float32)
         self._draw(config, depth=depth.ctypes.data, depth_count=depth.size)
         return depth
 
     def draw(self, **picture: Unpack[PictureOptions]) -> Picture:
-        """As render, with depth and the geom seen in each pixel."""
+        """As render, with depth and the geom in each pixel."""
         config = _picture_config(picture)
         size = (config.height, config.width)
         drawn = Picture(np.empty((*size, 3), np.uint8), np.empty(size, np.float32), np.empty(size, np.int32))
@@ -460,7 +460,7 @@ class World(Geometry):
         check(LIB.mimo_env_render(self._handle, config, _abi.Picture(**places)))
 
     def project(self, points: ArrayLike, **picture: Unpack[PictureOptions]) -> Numbers:
-        """Where points of the world (n x 3, m) lie in such a picture: pixels right, pixels down, depth in m (n x 3)."""
+        """Projects points (n x 3, world, m) into a picture: pixels right, pixels down, depth in m (n x 3)."""
         places = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
         pixels = (ctypes.c_double * places.size)()
         config = _picture_config(picture)
@@ -470,15 +470,15 @@ class World(Geometry):
     # ---- State ---------------------------------------------------------------------------------------------------
 
     def save(self) -> bytes:
-        """Everything that the world's future depends on, as bytes."""
+        """The complete state, as bytes."""
         return saved(self._handle, LIB.mimo_env_state_size, LIB.mimo_env_state_save)
 
     def load(self, state: bytes) -> LoadReport:
-        """Goes on from a state, exactly as the world that saved it; what it lacks of a delay starts fresh."""
+        """Loads a state; the world continues exactly like the saved one. Memories that it lacks start fresh."""
         return reported(LIB.mimo_env_state_load, self._handle, state, len(state))
 
     def clone(self) -> "World":
-        """Another world of the same scene and options, in the same state. The model is shared."""
+        """A copy with the same scene, options and state; it shares the model."""
         handle = ctypes.c_void_p()
         check(LIB.mimo_env_clone(self._handle, handle))
         world = World.__new__(World)
@@ -511,7 +511,7 @@ def _picture_config(picture: PictureOptions) -> _abi.PictureConfig:
 
 
 def agents_of(env: Native, count: int) -> List[Agent]:
-    """The infants of a world of this handle."""
+    """The infants of a world."""
     info = _abi.AgentInfo()
     agents = []
     for index in range(count):

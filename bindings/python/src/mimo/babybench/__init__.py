@@ -1,10 +1,10 @@
-"""BabyBench: an infant that is to find out about its body, in three scenes; scores of self-touch and hand regard.
+"""BabyBench: infants that explore their body, in three scenes; scores of self-touch and hand regard.
 
     env = mimo.babybench.make("config.yml")     # or a dict, or "selftouch", "handregard", "test_installation"
     envs = mimo.babybench.make_vec("selftouch", 64)
     python -m mimo.babybench.evaluate LOGS      # scores of logs
 
-docs/guide/babybench.md has the configuration, the scores, and what differs from the competition's own platform.
+docs/guide/babybench.md explains the configuration, the scores, and differences from the competition's platform.
 """
 
 from . import utils

@@ -1,4 +1,4 @@
-"""Baselines: random actions, and for each behaviour a reward that needs nobody to tell what is good.
+"""Baselines: random actions, and an intrinsic reward for each behaviour.
 
 env = mimo.babybench.TouchCount(mimo.babybench.make("selftouch"))
 envs = mimo.babybench.make_vec("selftouch", 64, reward=mimo.babybench.touch_count)
@@ -19,10 +19,10 @@ GREY = (0.2989, 0.587, 0.114)  # shares of red, green and blue in brightness
 
 
 def touch_count(observation: Observation) -> Any:
-    """For self-touch: the share of the skin's numbers that are above 1e-6, as the competition's baseline has it.
+    """For self-touch: the share of the skin's numbers above 1e-6, as in the competition's baseline.
 
-    Of a sensor's three numbers only those above 0 count, and the mattress is felt as well as the own hand. For many
-    worlds an array, as all these functions.
+    Only positive numbers of a sensor's three count, and the mattress counts like the infant's hand. For many worlds it
+    returns an array, like all these functions.
     """
     return np.mean(observation["touch"] > FELT, axis=-1)
 
@@ -35,7 +35,7 @@ def touched_sensors(observation: Observation) -> Any:
 
 
 def saliency_of_eyes(observation: Observation) -> Any:
-    """For hand regard: how many edges both eyes see, as the competition's baseline has it."""
+    """For hand regard: the amount of edges in both eyes' pictures, as in the competition's baseline."""
     return saliency(observation["eye_left"]) + saliency(observation["eye_right"])
 
 
@@ -56,14 +56,14 @@ def to_grayscale(picture: ArrayLike) -> NDArray[np.float64]:
 
 
 class IntrinsicReward(gymnasium.Wrapper[Any, Any, Any, Any]):
-    """Adds a reward that is computed from what is observed; derive `intrinsic`. It is in info["intrinsic_reward"]."""
+    """Adds a reward computed from the observation; override `intrinsic`. It is also in info["intrinsic_reward"]."""
 
     def intrinsic(self, observation: Observation) -> float:
         """The reward of an observation."""
         raise NotImplementedError
 
     def step(self, action: Any) -> Step:
-        """Goes one step on."""
+        """Makes one step."""
         observation, reward, terminated, truncated, info = self.env.step(action)
         own = self.intrinsic(observation)
         return observation, float(reward) + own, terminated, truncated, {**info, "intrinsic_reward": own}

@@ -40,7 +40,7 @@ DEFAULTS: Config = {
 
 
 def load(config: Given) -> Config:
-    """A whole configuration: of a file, one that comes along ("selftouch"), or a dict. What is left out is usual."""
+    """A complete configuration: of a file, a shipped one ("selftouch"), or a dict; missing keys have their default."""
     given = config if isinstance(config, Mapping) else _read(config)
     for name, value in given.items():
         _check(name, value)
@@ -48,12 +48,12 @@ def load(config: Given) -> Config:
 
 
 def on(config: Mapping[str, Any], prefix: str) -> List[str]:
-    """The groups that are switched on by switches of a kind, such as "act"."""
+    """The groups that switches of a kind, such as "act", switch on."""
     return [group for name, group in flags(prefix).items() if config[name]]
 
 
 def shipped() -> List[str]:
-    """Names of the configurations that come along."""
+    """Names of the shipped configurations."""
     return sorted(file.stem for file in SHIPPED.glob("*.yml"))
 
 
@@ -70,9 +70,9 @@ def _read(path: Any) -> Mapping[str, Any]:
     try:
         given = yaml.safe_load(file.read_text(encoding="utf-8"))
     except RecursionError:
-        raise ValueError(f"{file} is no YAML: it is nested too deeply") from None
+        raise ValueError(f"{file} is not YAML: it is nested too deeply") from None
     except (yaml.YAMLError, ValueError) as error:
-        raise ValueError(f"{file} is no YAML: {' '.join(str(error).split())}") from None
+        raise ValueError(f"{file} is not YAML: {' '.join(str(error).split())}") from None
     if not isinstance(given, Mapping):
         raise ValueError(f"{file} holds {type(given).__name__}, expected keys with values")
     return given
@@ -82,7 +82,7 @@ def _check(name: Any, value: Any) -> None:
     if name not in DEFAULTS:
         near = difflib.get_close_matches(str(name), DEFAULTS, 1)
         meant = f"; did you mean {near[0]!r}?" if near else ""
-        raise ValueError(f"config has {name!r}, which is no switch{meant} There are: {', '.join(DEFAULTS)}")
+        raise ValueError(f"config has {name!r}, which is not a switch{meant} There are: {', '.join(DEFAULTS)}")
     if name in CHOICES and value not in CHOICES[name]:
         raise ValueError(f"{name} is {short(value)}, expected {', '.join(map(repr, CHOICES[name]))}")
     if name in FLAGS and not isinstance(value, bool):
@@ -90,7 +90,7 @@ def _check(name: Any, value: Any) -> None:
     if (name in COUNTS or name == "vision_resolution") and not (_is_number(value, int) and value >= 1):
         raise ValueError(f"{name} is {short(value)}, expected a whole number from 1 on")
     if name == "touch_scale" and not (_is_number(value, (int, float)) and value >= 0):
-        raise ValueError(f"touch_scale is {short(value)}, expected a number from 0 on; 0 is without touch")
+        raise ValueError(f"touch_scale is {short(value)}, expected a number from 0 on; 0: no touch")
     if name == "save_dir" and not (value is None or isinstance(value, (str, os.PathLike))):
         raise ValueError(f"save_dir is {short(value)}, expected a folder")
 

@@ -1,6 +1,6 @@
-"""What the library's tasks have counted in an episode, by the names that `info` and logs have for it.
+"""Counts of the library's tasks in an episode, by their names in `info` and logs.
 
-Each is there twice: as the competition counts it, so that results compare, and right.
+Each exists twice: as the competition counts it, for comparable results, and corrected.
 """
 
 from __future__ import annotations
@@ -31,13 +31,13 @@ def regard_key(eye: str, hand: str, in_view: bool = False) -> str:
     return f"{eye}_{hand}{IN_VIEW if in_view else ''}"
 
 
-# In the order in which the tasks tell them (docs/tasks.md).
+# In the order of the tasks' numbers (docs/tasks.md).
 TOUCH_KEYS = [touch_key(hand, fingers) for fingers in (False, True) for hand in HANDS]
 REGARD_KEYS = [regard_key(eye, hand, in_view) for in_view in (False, True) for eye in EYES for hand in HANDS]
 
 
 class Nothing:
-    """What is counted without a behaviour. It uses self-touch's episodes, without their random steps."""
+    """Counts without a behaviour, in episodes of self-touch without its random steps."""
 
     task = "selftouch"
     parameters: Mapping[str, float] = {"selftouch/warm_up_steps": 0}
@@ -46,18 +46,18 @@ class Nothing:
         del model
 
     def told(self, achieved: Numbers) -> Info:
-        """What the numbers that a task has achieved in an episode (MIMO_AGENT_ACHIEVED) say in `info`."""
+        """The entries of `info`, from the numbers of a task (Quantity.AGENT_ACHIEVED)."""
         del achieved
         return {}
 
     def told_of_all(self, achieved: Numbers) -> Info:
-        """The same for many worlds, one a row: arrays."""
+        """The same for many worlds, as arrays with one row per world."""
         del achieved
         return {}
 
 
 class Touches(Nothing):
-    """Geoms of the body that each hand has touched, in their order: with the palm alone, or with fingers, too."""
+    """Geoms of the body that each hand has touched, in order: with the palm alone, or also with fingers."""
 
     parameters: Mapping[str, float] = {}
 
@@ -69,12 +69,12 @@ class Touches(Nothing):
         return {key: self._in_order(steps) for key, steps in zip(TOUCH_KEYS, achieved.reshape(len(TOUCH_KEYS), -1))}
 
     def told_of_all(self, achieved: Numbers) -> Info:
-        """For each world which of the body's geoms were touched."""
+        """The touched geoms of the body, for each world."""
         touched = achieved.reshape(len(achieved), len(TOUCH_KEYS), -1) > 0
         return {key: touched[:, place] for place, key in enumerate(TOUCH_KEYS)}
 
     def _in_order(self, steps: Numbers) -> List[int]:
-        """By the steps in which they were first touched, those of one step by number; 0 is never."""
+        """Ordered by the step of the first touch, then by number; 0 means never."""
         touched = np.flatnonzero(steps)
         ordered: List[int] = self._geoms[touched[np.argsort(steps[touched], kind="stable")]].tolist()
         return ordered

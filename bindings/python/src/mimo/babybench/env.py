@@ -19,7 +19,7 @@ from .rooms import room_of
 
 
 class BabyBenchEnv(MIMoEnv):
-    """An infant in one of the scenes; rewards are 0, and `info` tells what the behaviour is measured by.
+    """An infant in one of the scenes; rewards are 0, and `info` has the counts of the behaviour.
 
     The library's tasks settle the infant at a reset, move it at random, and count. With `training` each episode is
     logged in the folder `save_dir`/logs of the configuration.
@@ -46,7 +46,7 @@ class BabyBenchEnv(MIMoEnv):
         self._settle()
 
     def _settle(self) -> None:
-        """Resets settle by themselves; `init_qpos` and `init_qvel` are what they come to."""
+        """Resets settle the infant; `init_qpos` and `init_qvel` are the settled state."""
         self.world.physics_step(int(self.scene.parameters[f"{self._counts.task}/settle_steps"]))
         self.init_qpos, self.init_qvel = self.data.qpos.copy(), self.data.qvel.copy()
         self.world.observe()
@@ -56,7 +56,7 @@ class BabyBenchEnv(MIMoEnv):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Observation, Dict[str, Any]]:
-        """Starts an episode where the infant has settled; with a behaviour after ten random physics steps."""
+        """Starts an episode with a settled infant; with a behaviour after ten random physics steps."""
         super(MIMoEnv, self).reset(seed=seed)
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
@@ -66,7 +66,7 @@ class BabyBenchEnv(MIMoEnv):
         return self._get_obs(), {}
 
     def step(self, action: NDArray[Any]) -> Tuple[Observation, float, bool, bool, Dict[str, Any]]:
-        """Goes one step on, of `frame_skip` physics steps."""
+        """Makes one step of `frame_skip` physics steps."""
         self.world.step(action)
         self._last = {"steps": self.steps, **self._counted()}
         self.steps += 1
@@ -75,7 +75,7 @@ class BabyBenchEnv(MIMoEnv):
         return self._get_obs(), 0.0, False, False, dict(self._last)
 
     def close(self) -> None:
-        """Logs the episode that runs, and closes the world."""
+        """Logs the current episode, and closes the world."""
         self._end_episode()
         if self._log is not None:
             self._log.flush()
@@ -86,7 +86,7 @@ class BabyBenchEnv(MIMoEnv):
         return told
 
     def _end_episode(self) -> None:
-        """Logs what the episode came to. As in the competition a reset without steps is an entry, too."""
+        """Logs the episode. As in the competition, a reset without steps is an entry, too."""
         if self._log is not None:
             self._log.add({**self._last, "steps": self.steps})
         self.steps = 0
@@ -94,7 +94,7 @@ class BabyBenchEnv(MIMoEnv):
 
     @property
     def log(self) -> List[Entry]:
-        """The episodes that have ended, one entry a reset."""
+        """Ended episodes, one entry per reset."""
         return [] if self._log is None else self._log.entries
 
     # ---- Members that scripts use ----------------------------------------------------------------------------------

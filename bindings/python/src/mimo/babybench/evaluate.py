@@ -1,7 +1,7 @@
 """Scores of logs: python -m mimo.babybench.evaluate LOGS.
 
 LOGS is a file, or a folder with training.pkl and evaluation_0.pkl, ..., or the folder of a run (its `save_dir`). Logs
-of the competition's own kit are read as well; they do not tell enough for the right scores.
+of the competition's kit can be read; they lack the data for corrected scores.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from .reports import report, scores_in
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """The program."""
+    """Runs the command line."""
     parser = argparse.ArgumentParser(prog="python -m mimo.babybench.evaluate", description="Scores of BabyBench's logs")
     parser.add_argument("logs", metavar="LOGS", type=Path, help="a log, or a folder of logs")
     try:

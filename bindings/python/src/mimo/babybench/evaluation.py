@@ -1,4 +1,4 @@
-"""Evaluated episodes: what the infant does is written down, step by step, as the competition wants it.
+"""Evaluated episodes, logged step by step in the competition's format.
 
 evaluation = mimo.babybench.EVALS["self_touch"](env, duration=1000)
 """
@@ -16,19 +16,19 @@ from .scores import scores_of
 class Evaluation:
     """Tracks episodes of an environment: reset(), eval_step(info) after each step, end(episode).
 
-    Writes logs/evaluation_<i>.pkl, a dict with `qpos` and `info` of all steps. `render` is not used: no video is made.
+    Writes logs/evaluation_<i>.pkl, a dict with `qpos` and `info` of all steps. `render` has no effect.
     """
 
     def __init__(self, env: Any, duration: int = 1000, render: Any = False, save_dir: Any = None) -> None:
         self.env, self.duration = env.unwrapped, duration
         folder = save_dir or self.env.save_dir
         if folder is None:
-            raise ValueError("save_dir is None, expected a folder, here or in the configuration")
+            raise ValueError("save_dir is None, expected a folder as an argument or in the configuration")
         self.logs = Path(folder) / "logs"
         self.reset()
 
     def reset(self) -> None:
-        """An episode begins."""
+        """Begins an episode."""
         self._steps: Dict[str, List[Any]] = {"qpos": [], "info": []}
 
     def eval_logs(self) -> str:
@@ -39,12 +39,12 @@ class Evaluation:
         return told
 
     def eval_step(self, info: Mapping[str, Any]) -> None:
-        """A step was made."""
+        """Adds a step."""
         self._steps["qpos"].append(self.env.data.qpos.copy())
         self._steps["info"].append(dict(info))
 
     def end(self, episode: int) -> Optional[Path]:
-        """The episode is over: its log is written."""
+        """Ends an episode and writes its log."""
         path = self.logs / f"evaluation_{episode}.pkl"
         write(path, self._steps)
         return path

@@ -1,4 +1,4 @@
-"""The parts of the body that a configuration switches: which joints, motors and skin belong to each."""
+"""The parts of the body that a configuration switches, with their joints, motors and skin."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Dict, Iterable, List, Tuple
 
 GROUPS = ("body", "head", "eyes", "arms", "hands", "fingers", "legs", "feet")  # in the order of the action
 
-# How names begin after "robot:", "act:" and the side. What fits nowhere is a part of the fingers.
+# Starts of names after "robot:", "act:" and the side. All others belong to the fingers.
 _STARTS: Tuple[Tuple[str, str], ...] = (
     ("eyes", r"eye"),
     ("arms", r"shoulder|elbow|upper_arm|lower_arm"),
@@ -29,13 +29,13 @@ def group_of(name: str) -> str:
 
 
 def of_groups(names: Iterable[str], groups: Iterable[str]) -> List[str]:
-    """Those names that belong to some groups, in their order."""
+    """The names that belong to some groups, in their order."""
     wanted = set(groups)
     return [name for name in names if group_of(name) in wanted]
 
 
 def in_order(names: Iterable[str]) -> List[str]:
-    """Names group by group, as actions are ordered; in a group as they came, but a foot's big toe is its last."""
+    """Names by group, in the order of actions; a foot's big toe is last in its group."""
     ordered = sorted(names, key=lambda name: GROUPS.index(group_of(name)))
     for place, (name, following) in enumerate(zip(ordered, ordered[1:])):
         if name.endswith("_big_toe") and following == name.replace("_big_toe", "_toes"):

@@ -1,6 +1,6 @@
 """Logs of training and evaluation, in the competition's format: pickled lists and dicts.
 
-A pickle can hold programs. Only numbers, texts, lists, dicts and arrays are read here; anything else is refused.
+A pickle can hold programs. This module reads numbers, strings, lists, dicts and arrays, and refuses anything else.
 """
 
 from __future__ import annotations
@@ -17,28 +17,28 @@ TRAINING = "training.pkl"
 
 
 def read(path: Path) -> Any:
-    """What a log holds."""
+    """The content of a log."""
     try:
         return loads(path.read_bytes())
     except ValueError as error:
-        raise ValueError(f"{path} is no log: {' '.join(str(error).split())}") from None
+        raise ValueError(f"{path} is not a log: {' '.join(str(error).split())}") from None
 
 
 def write(path: Path, value: Any) -> None:
-    """Writes a log whole or not at all."""
+    """Writes a complete log or nothing."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with new_file(path) as file:
         file.write_bytes(pickle.dumps(value, protocol=4))
 
 
 def log_of(config: Mapping[str, Any]) -> "TrainingLog":
-    """The log of a run, in the configuration's folder; without one nothing is written."""
+    """The log of a run in the configuration's folder, or None without a folder."""
     folder = None if config["save_dir"] is None else Path(config["save_dir"]) / "logs"
     return TrainingLog(folder, config["save_logs_every"])
 
 
 class TrainingLog:
-    """One entry an episode. It is written every so many steps, and when it is closed.
+    """A log with one entry per episode, written every few steps and when it is closed.
 
     A log of an earlier run is kept beside it (training_1.pkl, ...).
     """
@@ -49,14 +49,14 @@ class TrainingLog:
         self._every, self._unwritten, self._fresh = every, 0, True
 
     def add(self, entry: Entry) -> None:
-        """Appends an episode that has ended."""
+        """Appends an ended episode."""
         self.entries.append(entry)
         self._unwritten += int(entry["steps"])
         if self._unwritten >= self._every:
             self.flush()
 
     def flush(self) -> None:
-        """Writes what there is."""
+        """Writes the log."""
         if self._path is None or not any(entry["steps"] for entry in self.entries):
             return
         if self._fresh:

@@ -14,9 +14,9 @@ NAMES = {"none": "BabyBench", "self_touch": "BabyBench-SelfTouch", "hand_regard"
 
 
 def make(config: Given = "test_installation", training: bool = True, **arguments: Any) -> "gymnasium.Env[Any, Any]":
-    """An environment as a YAML file or a dict describes it; without `training` nothing is logged.
+    """An environment from a YAML file or a dict; without `training` it does not log.
 
-    Further arguments are those of mimo.classic.MIMoEnv, `render_mode` for example.
+    Other arguments are those of mimo.classic.MIMoEnv, for example `render_mode`.
     """
     whole = load(config)
     spec = EnvSpec(
@@ -29,7 +29,7 @@ def make(config: Given = "test_installation", training: bool = True, **arguments
 
 
 def register() -> None:
-    """Makes gymnasium.make("BabyBench-SelfTouch") work, with the configurations that come along."""
+    """Registers "BabyBench-SelfTouch" and the others with Gymnasium, with the shipped configurations."""
     shipped = {"none": "test_installation", "self_touch": "selftouch", "hand_regard": "handregard"}
     for behavior, name in NAMES.items():
         if name not in gymnasium.registry:

@@ -1,4 +1,4 @@
-"""What a configuration says of senses, motors and time, as arguments of the original's environments."""
+"""A configuration's senses, motors and times, as arguments of the original's environments."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MODELS = {"spring_damper": SpringDamperModel, "muscle": MuscleModel, "positional
 
 
 def arguments_of(config: Config, parameters: Parameters = None) -> Dict[str, Any]:
-    """Those of mimo.classic.MIMoEnv; `parameters` of the task count before those of the behaviour."""
+    """Arguments of mimo.classic.MIMoEnv; `parameters` override those of the behaviour."""
     pixels = {"width": config["vision_resolution"], "height": config["vision_resolution"]}
     return {
         "frame_skip": config["frame_skip"],
@@ -30,7 +30,7 @@ def arguments_of(config: Config, parameters: Parameters = None) -> Dict[str, Any
 
 
 def _touch(config: Config) -> Optional[Dict[str, Any]]:
-    """Bodies of the groups that sense, with their distances times `touch_scale`; None without touch."""
+    """Sensor distances times `touch_scale`, for the bodies of the groups with touch; None without touch."""
     if not config["touch_active"] or config["touch_scale"] == 0:
         return None
     usual = DEFAULT_TOUCH_PARAMS_V2 if body_of(config) == "fingers" else DEFAULT_TOUCH_PARAMS

@@ -1,6 +1,6 @@
-"""Reads the plain part of pickle's format: numbers, texts, lists, dicts and arrays of numbers and texts.
+"""Reads the plain part of pickle's format: numbers, strings, lists, dicts and arrays of numbers and strings.
 
-Nothing of what a file names is called or imported, so that a file can do nothing but be read or be refused.
+It calls and imports nothing that a file names, so a file cannot execute anything.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ PLAIN = re.compile(r"\?|[biufcSU]\d{1,6}")  # types of arrays' elements
 
 
 class Refused(ValueError):
-    """What this reader does not read."""
+    """Unsupported content."""
 
 
 class _Kind:
-    """The type of an array's elements, as a file tells it in two steps."""
+    """The type of an array's elements, which a file gives in two steps."""
 
     def __init__(self, name: Any, *_: Any) -> None:
         if not isinstance(name, str) or not PLAIN.fullmatch(name):
@@ -32,7 +32,7 @@ class _Kind:
         self.dtype = np.dtype(name)
 
     def build(self, state: Any) -> None:
-        """Takes the order of bytes; what else there may be belongs to types that hold others."""
+        """Takes the byte order; further state belongs to structured types."""
         _, order, *parts = state
         if order not in ("<", ">", "|", "=") or parts[:3] != [None] * 3 or parts[5:] not in ([0], [8]):
             raise Refused(f"it holds an array of structures, {EXPECTED}")
@@ -40,18 +40,18 @@ class _Kind:
 
 
 class _Named:
-    """What a file may name, and what is done where it would be called."""
+    """The names that a file may use, and their replacements."""
 
     def __init__(self, call: Optional[Callable[..., Any]] = None) -> None:
         self.call = call
 
 
 class _Part(tuple):  # type: ignore[type-arg]
-    """A tuple on its way into an array: it has no place in a list or dict."""
+    """A tuple for an array, which may not be in a list or dict."""
 
 
 def _bytes(raw: Any) -> bytes:
-    """Bytes; oldest files have them as texts."""
+    """Bytes, which old files store as strings."""
     return raw.encode("latin1") if isinstance(raw, str) else bytes(memoryview(raw))
 
 
@@ -61,7 +61,7 @@ def _values(raw: Any, kind: Any, shape: Any, order: Any) -> NDArray[Any]:
         raise Refused("it holds an array without type and shape")
     if math.prod(sizes) * kind.dtype.itemsize != len(values):
         raise Refused(f"it holds an array of the shape {tuple(sizes)} that has {len(values)} bytes")
-    if kind.dtype.kind == "U":  # numpy takes any four bytes for a letter, and Python then fails
+    if kind.dtype.kind == "U":  # numpy accepts any four bytes as a character, and Python then fails
         letters = np.frombuffer(values, np.dtype(np.uint32).newbyteorder(kind.dtype.byteorder))
         if letters.max(initial=0) > sys.maxunicode:
             raise Refused("it holds texts of what are no letters")
@@ -69,7 +69,7 @@ def _values(raw: Any, kind: Any, shape: Any, order: Any) -> NDArray[Any]:
 
 
 def _empty(*_: Any) -> NDArray[Any]:
-    return np.empty(0)  # takes its values when it is built
+    return np.empty(0)  # filled when it is built
 
 
 def _scalar(kind: Any, raw: Any) -> Any:
@@ -82,12 +82,12 @@ def _encoded(text: str, encoding: str) -> bytes:
     return text.encode(encoding)
 
 
-# What arrays of numbers are pickled by, in the words of all versions of numpy.
+# Functions that pickle arrays, in all versions of numpy.
 NAMES: Dict[Tuple[Any, Any], _Named] = {
     ("numpy", "ndarray"): _Named(),
     ("numpy", "dtype"): _Named(_Kind),
     ("_codecs", "encode"): _Named(_encoded),
-    ("__builtin__", "bytes"): _Named(lambda: b""),  # none, in oldest files
+    ("__builtin__", "bytes"): _Named(lambda: b""),  # missing in old files
 }
 for _core in ("core", "_core"):
     NAMES[f"numpy.{_core}.multiarray", "_reconstruct"] = _Named(_empty)
@@ -96,7 +96,7 @@ for _core in ("core", "_core"):
 
 
 class _Stack:
-    """What the file's instructions work on. Whatever they lack is an IndexError, a KeyError or a TypeError."""
+    """The stack of the file's instructions. Missing values raise IndexError, KeyError or TypeError."""
 
     def __init__(self) -> None:
         self.items: List[Any] = []
@@ -104,32 +104,32 @@ class _Stack:
         self.memo: Dict[int, Any] = {}
 
     def push(self, value: Any) -> None:
-        """Puts something on top."""
+        """Pushes a value."""
         self.items.append(value)
 
     def number(self, value: int) -> None:
-        """Puts a number on top."""
+        """Pushes a number."""
         if value.bit_length() > 8 * LONGEST:
             raise Refused(f"it holds a whole number of {value.bit_length()} bits, expected at most {8 * LONGEST}")
         self.push(value)
 
     def mark(self, _: Any = None) -> None:
-        """Begins a part of several."""
+        """Pushes a mark."""
         self.marks.append(self.items)
         self.items = []
 
     def part(self) -> List[Any]:
-        """Ends it."""
+        """Pops the values above the last mark."""
         part, self.items = self.items, self.marks.pop()
         return part
 
     def tuple(self, values: List[Any]) -> None:
-        """Puts a tuple on top."""
+        """Pushes a tuple."""
         raw = any(isinstance(value, (_Kind, _Named, _Part)) for value in values)
         self.push(_Part(values) if raw else tuple(values))
 
     def last(self, count: int) -> List[Any]:
-        """Takes so many off."""
+        """Pops `count` values."""
         return [self.items.pop() for _ in range(count)][::-1]
 
     def extend(self, values: List[Any]) -> None:
@@ -147,26 +147,26 @@ class _Stack:
         target.update(zip(map(whole, pairs[::2]), map(whole, pairs[1::2])))
 
     def dict(self, _: Any = None) -> None:
-        """Makes a dict of a part."""
+        """Makes a dict of the values above the mark."""
         pairs = self.part()
         self.push({})
         self.update(pairs)
 
     def name(self, module: Any, name: Any) -> None:
-        """Puts what a file may name on top."""
+        """Pushes a permitted name."""
         if (module, name) not in NAMES:
             raise Refused(f"it holds {f'{module}.{name}':.80}, {EXPECTED}")
         self.push(NAMES[module, name])
 
     def call(self, _: Any = None) -> None:
-        """Does what would be called."""
+        """Replaces a call."""
         named, arguments = self.last(2)
         if not isinstance(named, _Named) or named.call is None or not isinstance(arguments, tuple):
             raise Refused("it calls what is no array")
         self.push(named.call(*arguments))
 
     def build(self, _: Any = None) -> None:
-        """Completes what is on top."""
+        """Sets the state of the top value."""
         target, state = self.last(2)
         if not isinstance(state, tuple):
             raise Refused(f"it holds an object, {EXPECTED}")
@@ -183,7 +183,7 @@ class _Stack:
 
 
 def whole(value: Any) -> Any:
-    """A value, unless it is on its way into an array."""
+    """A value, unless it is an unfinished array."""
     if isinstance(value, (_Kind, _Named, _Part)):
         raise Refused(f"it holds the type of an array, {EXPECTED}")
     return value
@@ -227,7 +227,7 @@ _WORK: Dict[str, Work] = {
 
 
 def loads(data: bytes) -> Any:
-    """What a pickle holds; a ValueError where it is none, or holds anything else."""
+    """The content of a pickle; a ValueError if it is not one or has other content."""
     stack = _Stack()
     try:
         for opcode, argument, _ in pickletools.genops(data):

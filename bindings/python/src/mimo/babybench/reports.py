@@ -12,29 +12,29 @@ from .counts import REGARD_KEYS, TOUCH_KEYS
 from .logs import TRAINING, read
 from .scores import Entries, Scores, scores_of
 
-LARGEST = 2**53  # up to here every whole number is a float
+LARGEST = 2**53  # largest integer below which all are floats
 
 
 def entries_of(path: Path) -> Entries:
-    """The episodes that a log tells of."""
+    """The episodes in a log."""
     value = read(path)
-    if isinstance(value, Mapping) and isinstance(value.get("info"), list):  # of one evaluated episode, all its steps
+    if isinstance(value, Mapping) and isinstance(value.get("info"), list):  # all steps of one evaluated episode
         infos = value["info"]
         value = [{**infos[-1], "steps": len(infos)}] if infos and isinstance(infos[-1], Mapping) else infos
     if not isinstance(value, list) or not all(isinstance(entry, Mapping) and "steps" in entry for entry in value):
-        raise ValueError(f"{path} is no log: expected a list of episodes with their steps, or an episode with its info")
+        raise ValueError(f"{path} is not a log: expected a list of episodes with steps, or an episode with info")
     for number, entry in enumerate(value):
         for key in ("steps", *REGARD_KEYS):
             if not _is_count(entry.get(key, 0)):
                 raise ValueError(
-                    f"{path} is no log: {key} of episode {number} is {short(entry[key])}, expected a count"
+                    f"{path} is not a log: {key} of episode {number} is {short(entry[key])}, expected a count"
                 )
         for key in TOUCH_KEYS:
             geoms = entry.get(key, ())
             listed = isinstance(geoms, (list, tuple)) or (isinstance(geoms, np.ndarray) and geoms.ndim == 1)
             if not listed or not all(map(_is_count, geoms)):
                 raise ValueError(
-                    f"{path} is no log: {key} of episode {number} is {short(geoms)}, expected numbers of geoms"
+                    f"{path} is not a log: {key} of episode {number} is {short(geoms)}, expected numbers of geoms"
                 )
     return value
 
@@ -60,7 +60,7 @@ def scores_in(place: Path) -> "dict[str, Scores]":
 
 
 def report(name: str, scores: Scores) -> str:
-    """One line."""
+    """A report in one line."""
     if scores.competition is None:
         return f"{name}: {scores.behavior}, {scores.episodes} episodes, no score"
     text = f"{name}: {scores.behavior}, {scores.episodes} episodes; "

@@ -1,4 +1,4 @@
-"""The library's scenes, with an infant whose motors and locks are those of a configuration."""
+"""The library's scenes, with the motors and locks of a configuration."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from .config import on
 from .counts import COUNTS
 from .groups import group_of, in_order
 
-SWITCHED = ("feet", "eyes")  # groups that the library's scenes hold for a behaviour; all else that they hold is posture
+SWITCHED = ("feet", "eyes")  # groups that the library's scenes lock for a behaviour; other locks are for posture
 
 
 def body_of(config: Mapping[str, Any]) -> str:
-    """Hand regard has five fingers, all else mittens."""
+    """Hand regard uses five fingers, the others use mittens."""
     return "fingers" if config["behavior"] == "hand_regard" else "mitten"
 
 
 def room_of(config: Mapping[str, Any]) -> Scene:
-    """The scene with its infant, which no agent senses with yet."""
+    """The scene with its infant, before an agent is added."""
     plan = Scene(f"babybench-{config['scene']}")
     plan.add_agent(body=body_of(config), acts=Act.ALL)
     root = ElementTree.fromstring(plan.xml)
@@ -42,7 +42,7 @@ def _joints(root: ElementTree.Element) -> List[str]:
 
 
 def _posture(root: ElementTree.Element) -> Set[str]:
-    """The joints that the scene itself holds; those that a configuration holds or not are let go."""
+    """The joints that the scene locks, without those that the configuration decides."""
     active = [lock for lock in root.findall("equality/joint") if lock.get("active") == "true"]
     for lock in active:
         if group_of(lock.get("joint1", "")) in SWITCHED:
@@ -51,7 +51,7 @@ def _posture(root: ElementTree.Element) -> Set[str]:
 
 
 def _arrange_motors(root: ElementTree.Element, acting: List[str]) -> None:
-    """Motors of some groups only, in the order of groups, which is that of the competition's actions."""
+    """Motors of some groups, in the order of groups, as in the competition's actions."""
     motors: Dict[str, ElementTree.Element] = {}
     for section in root.findall("actuator"):
         motors.update((motor.get("name", ""), motor) for motor in section)

@@ -1,11 +1,12 @@
-"""Scores of logs: as the competition computes them, and right.
+"""Scores of logs: as the competition computes them, and corrected.
 
-Self-touch there: palms touch, a touch of both palms counts for the right hand, of 68 of which 60 can be reached. Right:
-fingers touch as well, both hands count, of what the body has outside of each hand.
+Self-touch: the competition counts palms only, a touch of both palms for the right hand, as a share of 68 geoms, of
+which 60 can be reached. Corrected: fingers and both hands count, as a share of the geoms outside of each hand.
 
-Hand regard there: within 15 degrees of the eye's -z axis, which points down the face. Right: of the camera's axis.
+Hand regard: the competition takes 15 degrees about the eye's -z axis, which points down the face. Corrected: about the
+camera's axis.
 
-There the last 10000 episodes count, without the first one where there are no more. Right: all that have steps.
+The competition counts the last 10000 episodes, without the first one if there are no more. Corrected: all with steps.
 """
 
 from __future__ import annotations
@@ -17,17 +18,17 @@ from .counts import EYES, HANDS, regard_key, touch_key
 Entries = Sequence[Mapping[str, Any]]
 WINDOW = 10000
 COMPETITION_GEOMS = 68
-OUTSIDE = 32  # geoms of the mitten body that are not of one hand and its fingers: 36 - 4
+OUTSIDE = 32  # geoms of the mitten body outside of one hand and its fingers: 36 - 4
 
 
 class Scores(NamedTuple):
-    """Scores of one behaviour, 0 to 1; None where they cannot be told."""
+    """Scores of one behaviour, 0 to 1; None if unknown."""
 
     behavior: str
     episodes: int  # with steps
     competition: Optional[float]
-    right: Optional[float]  # None for logs that do not tell what it needs, such as the competition's own
-    right_mean: Optional[float]  # the mean of single episodes, which does not grow with their number
+    right: Optional[float]  # None for logs without the data, such as the competition's
+    right_mean: Optional[float]  # the mean of single episodes, independent of their number
 
 
 def scores_of(entries: Entries) -> Scores:
@@ -44,7 +45,7 @@ def scores_of(entries: Entries) -> Scores:
 
 
 def behavior_of(entries: Entries) -> str:
-    """The behaviour that a log is about, by what its entries tell."""
+    """The behaviour of a log, by its entries."""
     for behavior, key in (("self_touch", touch_key(HANDS[0])), ("hand_regard", regard_key(EYES[0], HANDS[0]))):
         if any(key in entry for entry in entries):
             return behavior
@@ -52,22 +53,22 @@ def behavior_of(entries: Entries) -> str:
 
 
 def window(entries: Entries) -> Entries:
-    """The entries that the competition looks at: the last 10000, and never the first."""
+    """The entries that the competition counts: the last 10000, and never the first."""
     return entries[len(entries) - min(WINDOW, len(entries) - 1) :] if entries else entries
 
 
 def self_touch(entries: Entries) -> float:
-    """As the competition computes it: what palms have touched in any of the episodes, of 68."""
+    """The competition's score: geoms that palms touched in any of the episodes, of 68."""
     return _touched(entries, False) / COMPETITION_GEOMS
 
 
 def self_touch_right(entries: Entries) -> float:
-    """What hands with their fingers have touched in any of the episodes, of all that is outside of each."""
+    """Geoms that hands and fingers touched in any of the episodes, of those outside of each hand."""
     return _touched(entries, True) / (2 * OUTSIDE)
 
 
 def hand_regard(entries: Entries) -> Optional[float]:
-    """As the competition computes it: the share of steps, over both eyes and both hands."""
+    """The competition's score: the share of steps, over both eyes and both hands."""
     return _regarded(entries, False)
 
 
@@ -100,6 +101,6 @@ def _regarded(entries: Entries, in_view: bool) -> Optional[float]:
 
 
 def _complete(entries: List[Mapping[str, Any]], behavior: str) -> bool:
-    """Whether the entries tell what the right score needs."""
+    """Whether the entries have the data for the corrected score."""
     key = touch_key(HANDS[0], True) if behavior == "self_touch" else regard_key(EYES[0], HANDS[0], True)
     return all(key in entry for entry in entries)

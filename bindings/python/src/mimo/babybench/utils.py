@@ -1,4 +1,4 @@
-"""What scripts take from the competition's own module of this name."""
+"""Functions that scripts import from the competition's module of this name."""
 
 from __future__ import annotations
 
@@ -20,6 +20,6 @@ def render(env: Any, camera: str = "corner") -> NDArray[np.uint8]:
 
 
 def view_binocular(env: Any) -> NDArray[np.uint8]:
-    """What both eyes see in one picture: brightness of the left in red, of the right in green and blue."""
+    """Both eyes' pictures in one: brightness of the left in red, of the right in green and blue."""
     left, right = (to_grayscale(render(env, f"eye_{side}")).astype(np.uint8) for side in ("left", "right"))
     return np.stack([left, right, right], axis=-1)

@@ -1,4 +1,4 @@
-"""Many worlds of BabyBench as one environment, which the library's threads step."""
+"""Many worlds of BabyBench in one environment, stepped by the library's threads."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ Reward = Callable[[Mapping[str, NDArray[Any]]], Any]
 class BabyBenchVectorEnv(VectorEnv):
     """Worlds of one configuration, with the observations of BabyBenchEnv.
 
-    `infos` has its counts in arrays, one row a world: of self-touch for each geom of the body whether it was touched.
-    Rewards are 0, or what `reward` makes of the observations: touch_count, touched_sensors, saliency_of_eyes, or any
-    function of theirs. With `training` each episode is logged when it ends; with autoreset_mode "Disabled" it goes on
-    until a reset or close(), as in BabyBenchEnv. Further options are those of mimo.VectorEnv.
+    `infos` has the counts in arrays, one row per world: for self-touch whether each geom of the body was touched.
+    Rewards are 0, or the values of `reward`, a function of the observations: touch_count, touched_sensors,
+    saliency_of_eyes, or another one. With `training` each episode is logged when it ends; with autoreset_mode
+    "Disabled" it continues until a reset or close(), as in BabyBenchEnv. Other options are those of mimo.VectorEnv.
     """
 
     def __init__(
@@ -63,14 +63,14 @@ class BabyBenchVectorEnv(VectorEnv):
     # ---- Episodes ------------------------------------------------------------------------------------------------
 
     def reset(self, *, seed: Any = None, options: Optional[Dict[str, Any]] = None) -> Tuple[Any, Dict[str, Any]]:
-        """Starts episodes; as VectorEnv does."""
+        """Starts episodes, like VectorEnv."""
         started = super().reset(seed=seed, options=options)
         mask = (options or {}).get("reset_mask")
         self._end_episodes(np.ones(self.num_envs, np.bool_) if mask is None else np.asarray(mask, np.bool_))
         return started
 
     def close_extras(self, **kwargs: Any) -> None:
-        """Logs the episodes that run, and closes the batch."""
+        """Logs the current episodes, and closes the batch."""
         if getattr(self, "_log", None) is not None:
             self._end_episodes(self._steps > 0)
             self._log.flush()  # type: ignore[union-attr]
@@ -78,7 +78,7 @@ class BabyBenchVectorEnv(VectorEnv):
 
     @property
     def log(self) -> List[Entry]:
-        """The episodes that have ended, in the order in which they did."""
+        """Ended episodes, in the order of their ends."""
         return [] if self._log is None else self._log.entries
 
     def _results(self) -> Results:
@@ -92,7 +92,7 @@ class BabyBenchVectorEnv(VectorEnv):
         return observation, reward, terminated, truncated, infos
 
     def _infos(self, over: Flags, acted: Flags, judged: Any) -> Dict[str, Any]:
-        """The counts of the step's worlds. Episodes that end are logged here, before new ones begin."""
+        """The counts of the worlds. Logs ended episodes before new ones begin."""
         self._achieved = self._now()
         infos = {"steps": self._steps.copy(), **self._counts.told_of_all(self._achieved)}
         infos = {**super()._infos(over, acted, judged), **self._masked(infos, acted)}
@@ -102,7 +102,7 @@ class BabyBenchVectorEnv(VectorEnv):
         return infos
 
     def _end_episodes(self, over: Flags) -> None:
-        """As in the competition a reset without steps is an entry, too."""
+        """As in the competition, a reset without steps is an entry, too."""
         for index in np.flatnonzero(over):
             if self._log is not None:
                 self._log.add({**self._counts.told(self._achieved[index]), "steps": int(self._steps[index])})
@@ -113,7 +113,7 @@ class BabyBenchVectorEnv(VectorEnv):
 
 
 class _Shown:
-    """The observations of many worlds, as VectorEnv asks for them."""
+    """The observations of many worlds, for VectorEnv."""
 
     def __init__(self, observer: Observer) -> None:
         self._observer = observer
@@ -121,13 +121,13 @@ class _Shown:
         self.space = spaces.Dict(boxes)
 
     def show(self, views: Observation, own: Any = None, worlds: int = 0) -> Dict[str, NDArray[Any]]:
-        """Of several worlds with their number, which is then the arrays' first axis."""
+        """The observation; `worlds` is the length of the arrays' first axis."""
         del own
         return self._observer.see(views, worlds)
 
 
 def _scene_of(config: Config, parameters: Parameters) -> Tuple[Scene, Senses]:
-    """What BabyBenchEnv makes of the same configuration."""
+    """The parts that BabyBenchEnv makes of the same configuration."""
     given = arguments_of(config, parameters)
     senses = senses_of(*(given[f"{sense}_params"] for sense in ("proprio", "touch", "vision", "vestibular")))
     infant = {**senses.options, "actuation": given["actuation_model"].actuation}
@@ -135,5 +135,5 @@ def _scene_of(config: Config, parameters: Parameters) -> Tuple[Scene, Senses]:
 
 
 def make_vec(config: Given = "test_installation", num_envs: int = 1, **options: Any) -> BabyBenchVectorEnv:
-    """Many worlds as a YAML file or a dict describes them; see BabyBenchVectorEnv for the options."""
+    """Many worlds from a YAML file or a dict; see BabyBenchVectorEnv for the options."""
     return BabyBenchVectorEnv(config, num_envs, **options)

@@ -1,9 +1,9 @@
-"""The original's environments under their names, for scripts that exist.
+"""The original's environments under their names, for existing scripts.
 
     import mimo.classic                             # was: import mimoEnv
     env = gymnasium.make("MIMoReach-v0")            # or mimo.classic.make("MIMoReach-v0")
 
-docs/guide/classic.md says for each thing that a script does what to write.
+docs/guide/classic.md explains how to adapt scripts.
 """
 
 from . import utils

@@ -1,4 +1,4 @@
-"""The original's actuation models, by its names: which one an environment is given says how actions move the body."""
+"""The original's actuation models by name; the argument of an environment selects one."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ..constants import Actuation
 
 
 class ActuationModel:
-    """What an action is. The classes are only names here: the library does the work."""
+    """Base of actuation models. The classes are only names; the library does the work."""
 
     actuation: Actuation
 
@@ -21,13 +21,13 @@ class SpringDamperModel(ActuationModel):
 
 
 class PositionalModel(ActuationModel):
-    """Actions are angles, to which joints are held; rad."""
+    """Actions are target angles of joints, rad."""
 
     actuation = Actuation.POSITION
 
 
 class MuscleModel(ActuationModel):
-    """Actions are activations of two muscles a motor, 0 to 1: all that pull one way, then all that pull the other."""
+    """Actions are activations of two muscles per motor, 0 to 1: first all of one direction, then all of the other."""
 
     actuation = Actuation.MUSCLE
 
@@ -36,7 +36,7 @@ MODELS = (SpringDamperModel, PositionalModel, MuscleModel)
 
 
 def model_of(given: Any) -> Type[ActuationModel]:
-    """The class that is meant: one of these, an object of one, or the name of a member of mimo.Actuation."""
+    """The class of an argument: one of these, an instance, or the name of a member of mimo.Actuation."""
     kind = given if isinstance(given, type) else type(given)
     if issubclass(kind, ActuationModel) and hasattr(kind, "actuation"):
         return kind
@@ -48,5 +48,5 @@ def model_of(given: Any) -> Type[ActuationModel]:
 
 
 def _another(actuation: Actuation) -> Type[ActuationModel]:
-    """A class for what the original does not have, such as MuJoCo's own muscles."""
+    """A class for a model that the original does not have, such as MuJoCo's muscles."""
     return type("OtherModel", (ActuationModel,), {"actuation": actuation})

@@ -1,4 +1,4 @@
-"""Where numbers differ from the original's, told by environment; docs/differences.md says why."""
+"""Differences from the original's numbers, by environment; docs/differences.md explains them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, Dict, List, Tuple
 ALL = (
     "touch: sensors are where they belong, forces of any direction are felt; at scale 1 there are 5685 sensors on the "
     "mitten body (5725 there), 5299 on the other (as there)",
-    "touch_function 'normal_force': the force along the contact's normal; three numbers a sensor, against the skin",
+    "touch_function 'normal_force': the force along the contact's normal; three numbers per sensor, against the skin",
     "everything random follows reset(seed=...)",
 )
 BY_NAME: Dict[str, Tuple[str, ...]] = {
@@ -32,10 +32,10 @@ BY_NAME: Dict[str, Tuple[str, ...]] = {
 
 
 class DifferenceWarning(UserWarning):
-    """One place where numbers are not the original's."""
+    """One difference from the original."""
 
 
 def differences_of(kind: Any) -> List[str]:
-    """One line for each place, of an environment's class."""
+    """The differences of an environment's class, one line each."""
     own = [line for base in kind.__mro__ for line in BY_NAME.get(base.__name__, ())]
     return [*own, *ALL]

@@ -1,4 +1,4 @@
-"""The original's base class: an environment with its arguments, members and methods, on a world of the library."""
+"""The original's base class, with its arguments, members and methods, on a world of the library."""
 
 from __future__ import annotations
 
@@ -30,19 +30,18 @@ GOALS = ("achieved_goal", "desired_goal")
 class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     """One world with the original's observations, goals and info.
 
-    `model_path` is the name of a built-in scene, the path of an MJCF file of your own, or a mimo.Scene. `initial_qpos`
-    has angles of joints (rad) by name, seven numbers for the root `mimo_location`. What a sense is told by its
-    dictionary is in mimo.classic.params; None switches it off. `parameters` are those of the library's task, further
-    options those of mimo.World. With `tell_differences` the environment warns of each place where its numbers are not
-    the original's.
+    `model_path` is the name of a built-in scene, the path of an MJCF file, or a mimo.Scene. `initial_qpos`
+    has angles of joints (rad) by name, seven numbers for the root `mimo_location`. mimo.classic.params documents the
+    dictionaries of senses; None switches a sense off. `parameters` are those of the library's task, other options those
+    of mimo.World. With `tell_differences` the environment warns of each difference from the original's numbers.
 
-    Environments of your own derive from it and override what the original's do: compute_reward, is_success,
+    Custom environments derive from it and override the same methods as with the original: compute_reward, is_success,
     is_failure, is_truncated, sample_goal, get_achieved_goal, reset_model, _step_callback.
     """
 
     metadata: Dict[str, Any] = {"render_modes": list(MODES), "render_fps": 100}  # noqa: RUF012
-    torque_sensors: Optional[Sequence[str]] = None  # whose torques are in `observation`; None: all
-    extra_fields: Sequence[str] = ()  # of the library, at the end of `observation`
+    torque_sensors: Optional[Sequence[str]] = None  # sensors with torques in `observation`; None: all
+    extra_fields: Sequence[str] = ()  # fields of the library at the end of `observation`
 
     def __init__(
         self,
@@ -93,7 +92,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Observation, Dict[str, Any]]:
-        """Starts an episode. The first one without a seed starts from chance, further ones go on from there."""
+        """Starts an episode. Without a seed the first one is random; later ones continue its random numbers."""
         super().reset(seed=seed)
         if seed is None and not self._seeded:
             seed = secrets.randbits(64)
@@ -106,7 +105,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         return observation, self._told(False, False)
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Observation, float, bool, bool, Dict[str, Any]]:
-        """Goes one step on."""
+        """Makes one step."""
         self.world.step(action)
         self._step_callback()
         observation = self._get_obs()
@@ -121,7 +120,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         return observation, reward, terminated, bool(self.is_truncated()), info
 
     def render(self) -> Any:
-        """A picture with render_mode "rgb_array" or "depth_array"; draws to the window with "human"."""
+        """A picture with render_mode "rgb_array" or "depth_array"; with "human" it shows in a window."""
         return None if self.render_mode is None else self.mujoco_renderer.render(self.render_mode)
 
     def close(self) -> None:
@@ -129,10 +128,10 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.mujoco_renderer.close()
         self.world.close()
 
-    # ---- What environments of one's own override -------------------------------------------------------------------
+    # ---- For custom environments -----------------------------------------------------------------------------------
 
     def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
-        """The reward of the last step, by the library's task. It does not follow from goals alone."""
+        """The reward of the last step, by the library's task; not a function of goals alone."""
         if np.ndim(achieved_goal) > 1:
             raise TypeError(f"rewards of {type(self).__name__} do not follow from goals: there is one at a time")
         return self.world.reward.item(0)
@@ -146,25 +145,25 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         return bool(self.world.outcome.item(0) == int(Outcome.FAILURE))
 
     def is_truncated(self) -> bool:
-        """Whether the episode is cut off here; Gymnasium's limit of steps does so as well."""
+        """Whether the episode is cut off here, as by Gymnasium's limit of steps."""
         return False
 
     def sample_goal(self) -> Numbers:
-        """What is to be achieved in the episode that begins: numbers of the task, none where there is no task."""
+        """The goal of the new episode: numbers of the task, empty without one."""
         return self.world.get(Quantity.AGENT_GOAL).ravel()
 
     def get_achieved_goal(self) -> Numbers:
-        """What is so far."""
+        """The achieved goal."""
         return self.world.get(Quantity.AGENT_ACHIEVED).ravel()
 
     def reset_model(self) -> Observation:
-        """Prepares an episode, when the world is at its start, and returns the first observation."""
+        """Prepares an episode after a reset, and returns the first observation."""
         return self._get_obs()
 
     def _step_callback(self) -> None:
-        """Called in each step between physics and observation. Who changes the state calls world.observe()."""
+        """Called in each step between physics and observation. After changing the state, call world.observe()."""
 
-    # ---- What they use ---------------------------------------------------------------------------------------------
+    # ---- Helpers of these ------------------------------------------------------------------------------------------
 
     def _get_obs(self) -> Observation:
         seen = self._observer.see(self.world.observation)
@@ -173,7 +172,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         return seen
 
     def set_state(self, qpos: ArrayLike, qvel: ArrayLike) -> None:
-        """Sets positions and velocities of all joints, and has the senses feel it."""
+        """Sets positions and velocities of all joints, and observes."""
         self.data.qvel = qvel
         self.data.qpos = qpos
         self.world.observe()
@@ -190,12 +189,12 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
 
     @property
     def n_actuators(self) -> int:
-        """How many motors MIMo has."""
+        """The number of MIMo's motors."""
         return len(self.mimo_actuators)
 
     @property
     def mimo_actuators(self) -> NDArray[np.intp]:
-        """Their numbers."""
+        """The numbers of MIMo's motors."""
         return self._named(Kind.ACTUATOR, "act:")
 
     @property

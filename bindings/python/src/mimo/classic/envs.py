@@ -17,7 +17,7 @@ from .params import (
     DEFAULT_VISION_PARAMS,
 )
 
-# What the original calls its scenes' files: here names of built-in scenes.
+# The original's files of scenes, and the names of built-in scenes.
 BENCHMARK_XML, REACH_XML, STANDUP_XML, SELFBODY_XML, CATCH_XML, SHOWROOM_XML = (
     "benchmark",
     "reach",
@@ -43,7 +43,7 @@ CATCH_SCALES = {
 
 
 class MIMoReachEnv(MIMoEnv):
-    """Standing before a ball that floats: the right hand is to touch it."""
+    """Standing before a floating ball, which the right hand should touch."""
 
     def __init__(self, model_path: Any = REACH_XML, **arguments: Any) -> None:
         standard = {"goals_in_observation": False, "done_active": True}
@@ -59,7 +59,7 @@ class MIMoReachEnv(MIMoEnv):
 
 
 class MIMoStandupEnv(MIMoEnv):
-    """Squatting in a crib, hands on the rail: the head is to be as high as can be."""
+    """Squatting in a crib, hands on the rail; the head should rise as high as possible."""
 
     def __init__(self, model_path: Any = STANDUP_XML, **arguments: Any) -> None:
         standard = {"vestibular_params": DEFAULT_VESTIBULAR_PARAMS, "goals_in_observation": False}
@@ -67,10 +67,10 @@ class MIMoStandupEnv(MIMoEnv):
 
 
 class MIMoSelfBodyEnv(MIMoEnv):
-    """Sitting: the right hand is to touch a part of the body. `target_body` is its name.
+    """Sitting; the right hand should touch the part of the body named `target_body`.
 
-    desired_goal has 1 at the body's number; it is as long as the original's, in which there is one number a geom.
-    achieved_goal is all 0, as there.
+    desired_goal has 1 at the body's number; it is as long as the original's, which has one number per geom.
+    achieved_goal is all 0, as in the original.
     """
 
     def __init__(self, model_path: Any = SELFBODY_XML, **arguments: Any) -> None:
@@ -80,11 +80,11 @@ class MIMoSelfBodyEnv(MIMoEnv):
 
     @property
     def target_body(self) -> str:
-        """Name of the body that is to be touched."""
+        """Name of the target body."""
         return self.world.name(Kind.BODY, int(self.world.get(Quantity.AGENT_GOAL).flat[0]))
 
     def sample_goal(self) -> Numbers:
-        """1 at the number of the body that is to be touched."""
+        """1 at the number of the target body."""
         goal = np.zeros(self.world.count(Kind.GEOM))
         goal[int(self.world.get(Quantity.AGENT_GOAL).flat[0])] = 1
         return goal

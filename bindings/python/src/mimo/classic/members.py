@@ -1,4 +1,4 @@
-"""Gymnasium's wrappers hide the members of what they wrap, since its version 1.0; scripts expect them."""
+"""Members of a wrapped environment, which Gymnasium's wrappers hide since version 1.0."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from gymnasium.envs.registration import WrapperSpec
 
 
 class Members(gymnasium.Wrapper[Any, Any, Any, Any]):
-    """The outermost wrapper: what neither it nor another one has is the environment's own."""
+    """The outermost wrapper, which passes on the environment's members."""
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name == "env":  # not there yet while a copy is made
+        if name.startswith("_") or name == "env":  # missing while a copy is made
             raise AttributeError(name)
         return getattr(self.env.unwrapped, name)
 

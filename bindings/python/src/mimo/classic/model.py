@@ -1,7 +1,6 @@
-"""`env.model` and `env.data`: what scripts for the original read there, by named access.
+"""`env.model` and `env.data`: members that scripts for the original read, by named access.
 
-Arrays are copies and cannot be written to, so that nothing is written in vain; whole ones that can be set are
-(`data.qpos = ...`). What is not here says so.
+Arrays are read-only copies; some can be assigned as a whole (`data.qpos = ...`). Missing members raise an error.
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ class Contact(NamedTuple):
 
 
 class Element:
-    """One body, joint, ... with those of MuJoCo's attributes that scripts use."""
+    """A body, joint, ... with the attributes of MuJoCo that scripts use."""
 
     def __init__(self, selection: Selection, attributes: Mapping[str, str], address: int = -1) -> None:
         self.id = int(selection.ids[0])
@@ -93,12 +92,12 @@ class ModelView:
 
     @property
     def jnt_qposadr(self) -> NDArray[Any]:
-        """Where each joint's position begins in qpos."""
+        """The index of each joint's position in qpos."""
         return frozen(self._qpos_at[:-1])
 
     @property
     def jnt_dofadr(self) -> NDArray[Any]:
-        """Where each joint's velocity begins in qvel."""
+        """The index of each joint's velocity in qvel."""
         return frozen(self._qvel_at[:-1])
 
     @property
@@ -118,7 +117,7 @@ class ModelView:
 
     @property
     def actuator_gear(self) -> Numbers:
-        """Gears, one number a motor (the original has six, of which the first counts)."""
+        """Gears, one number per motor (the original has six and uses the first)."""
         return frozen(self._world.actuators().gear)
 
 
@@ -130,12 +129,12 @@ class OptionView:
 
     @property
     def timestep(self) -> float:
-        """Of the physics, s."""
+        """Time step of the physics, s."""
         return self._world.timestep
 
     @property
     def gravity(self) -> Numbers:
-        """Of this world, m/s^2."""
+        """Gravity of this world, m/s^2."""
         return frozen(self._world.gravity)
 
     @gravity.setter
@@ -191,7 +190,7 @@ class DataView:
 
     @property
     def ncon(self) -> int:
-        """How many contacts there are."""
+        """The number of contacts."""
         return len(self._world.contacts().distance)
 
     @property
@@ -227,12 +226,12 @@ class DataView:
 
 
 def refuse(what: str, name: str) -> NoReturn:
-    """Says that there is no such member."""
+    """The error for a missing member."""
     raise AttributeError(f"{what} has no {name!r} here; {PAGE}")
 
 
 def frozen(array: Any) -> NDArray[Any]:
-    """The array, which nobody writes to in vain; a single number as an array of one."""
+    """The array, read-only; a single number as an array of one."""
     values = np.atleast_1d(np.array(array))
     values.flags.writeable = False
     return values
@@ -258,7 +257,7 @@ def _element(world: World, kind: Kind, name: Name, attributes: Mapping[str, str]
 
 
 def _addresses(joints: Joints) -> List[NDArray[np.intp]]:
-    """Where each joint's position and velocity begin, and behind the last one how many numbers there are."""
+    """The index of each joint's position and velocity, and at the end their number."""
     single = [Joints(joints._access, joints.ids[i : i + 1]) for i in range(len(joints))]
     widths = [[one.position.size for one in single], [one.velocity.size for one in single]]
     return [np.concatenate([[0], np.cumsum(width)]).astype(np.intp) for width in widths]

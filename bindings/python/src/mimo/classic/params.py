@@ -1,4 +1,4 @@
-"""The dictionaries by which the original is told what MIMo senses, and what they are in the library's words."""
+"""The original's dictionaries of senses, and the library's options for them."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from ..constants import Proprioception, Touch, TouchFrame, TouchResponse, Vestib
 
 Params = Optional[Mapping[str, Any]]
 
-# The original's parts of `observation`, in its order (that of the alphabet), and the fields that each consists of.
-# Motors have the one pair of fields of `actuation`, muscles another, position control a single one.
+# The original's parts of `observation`, in its (alphabetical) order, and the fields of each.
+# `actuation` has two fields for motors, two others for muscles, and one for position control.
 ACTUATION = ("control", "motor_torque", "activation", "muscle_force", "target")
 PARTS: Mapping[str, Tuple[str, ...]] = {
     "actuation": ACTUATION,
@@ -70,17 +70,17 @@ DEFAULT_TOUCH_PARAMS_V2 = _touch({**_TRUNK, **_sides({**_SHARED, "toes": 0.01, "
 
 
 class Senses(NamedTuple):
-    """What an infant is to sense, in the library's words and in the order of the original's arrays."""
+    """The senses of an infant: the library's options, and the order of the original's arrays."""
 
-    options: Dict[str, Any]  # of the infant
-    parts: List[str]  # of `observation`, keys of PARTS
+    options: Dict[str, Any]  # options of the infant
+    parts: List[str]  # parts of `observation`, keys of PARTS
     vestibular: List[str]  # fields
     cameras: Dict[str, Tuple[int, int]]  # width and height by name
-    spacings: Optional[Dict[str, float]]  # metres by body; None: as the scene has them
+    spacings: Optional[Dict[str, float]]  # spacing in metres by body; None: the scene's
 
 
 def senses_of(proprio: Params, touch: Params, vision: Params, vestibular: Params) -> Senses:
-    """What these four dictionaries ask for; None switches a sense off (proprioception cannot be)."""
+    """The senses of these four dictionaries; None switches a sense off, except proprioception."""
     parts, options = _proprioception({} if proprio is None else proprio)
     feels, spacings = _skin(touch)
     balance = _balance(vestibular)

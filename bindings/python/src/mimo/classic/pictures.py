@@ -1,4 +1,4 @@
-"""The pictures that the original's environments draw: `render()`, and its member `mujoco_renderer`."""
+"""Pictures of the original's environments: `render()`, and the member `mujoco_renderer`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ CONFIG = {"lookat": "look_at", "distance": "distance", "azimuth": "azimuth", "el
 
 
 class Renderer:
-    """Draws the world, from a camera or as `default_camera_config` says (m and degrees)."""
+    """Draws the world, from a camera or by `default_camera_config` (m and degrees)."""
 
     def __init__(
         self, world: World, width: int, height: int, camera: Optional[str], config: Optional[Mapping[str, Any]]
@@ -30,7 +30,7 @@ class Renderer:
     def render(
         self, render_mode: str = "rgb_array", camera_id: Optional[int] = None, camera_name: Optional[str] = None
     ) -> Any:
-        """A picture of colours or depths; None with "human", which shows it in a window."""
+        """A picture of colours or depths; None with "human", which opens a window."""
         if render_mode not in MODES:
             raise ValueError(f"render_mode is {render_mode!r}, expected {', '.join(map(repr, MODES))}")
         picture: Any = {**self._size, **self._seen_from(camera_id, camera_name)}
@@ -56,7 +56,7 @@ class Renderer:
 
     def _shown(self, picture: Any) -> None:
         if self._window is None:
-            from ..plot import Window  # matplotlib is only needed for windows and plots
+            from ..plot import Window  # only windows and plots need matplotlib
 
             self._window = Window("MIMo")
         self._window.show(picture)

@@ -32,7 +32,7 @@ def _spec(name: str) -> EnvSpec:
 
 
 def make(name: str, **arguments: Any) -> "gymnasium.Env[Any, Any]":
-    """An environment of the original's by its name, with its step limit, as gymnasium.make makes it.
+    """An environment of the original by its name, with its step limit, like gymnasium.make.
 
     Arguments are those of the environment's class; `max_episode_steps` sets another limit.
     """
@@ -40,12 +40,12 @@ def make(name: str, **arguments: Any) -> "gymnasium.Env[Any, Any]":
 
 
 def differences(name: str) -> List[str]:
-    """Where numbers of an environment are not the original's: one line a place."""
+    """Differences of an environment from the original's numbers, one line each."""
     return differences_of(ENVIRONMENTS[_known(name)][0])
 
 
 def register() -> None:
-    """Makes gymnasium.make("MIMoReach-v0") work; `import mimo.classic` calls it. Names in use stay as they are."""
+    """Registers "MIMoReach-v0" and the others with Gymnasium, except names in use; `import mimo.classic` calls it."""
     registry: Dict[str, Any] = gymnasium.registry
     for name in ENVIRONMENTS:
         if name not in registry:

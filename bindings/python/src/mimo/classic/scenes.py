@@ -1,4 +1,4 @@
-"""Scenes as the original's arguments describe them."""
+"""Scenes from the original's arguments."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ TAKEN = {"proprioception", "vestibular", "vision", "touch", "actuation", "limit_
 
 
 def split(options: Mapping[str, Any], name: str) -> Tuple[Dict[str, Any], Dict[str, Any]]:
-    """Further options: those of the infant, and those of the simulation."""
+    """Splits options into those of the infant and those of the simulation."""
     for option in options:
         if option in TAKEN:
-            raise TypeError(f"{name} does not take {option!r}: the original's arguments (touch_params, ...) say so")
+            raise TypeError(f"{name} does not take {option!r}: use the original's arguments (touch_params, ...)")
     refuse_unknown(options, EnvOptions)
     infant = {key: value for key, value in options.items() if key in enums(AgentOptions)}
     return infant, {key: value for key, value in options.items() if key in enums(PhysicsOptions)}
@@ -34,11 +34,11 @@ def scene_of(
     pose: Mapping[str, ArrayLike],
     parameters: Mapping[str, float],
 ) -> Scene:
-    """A scene with its infant, that senses and stands so."""
+    """A scene with its infant."""
     scene, brings_infant = _start(model_path)
     angles, root = _posed(pose)
     if brings_infant and root:
-        raise ValueError(f"initial_qpos has {ROOT!r}, but {model_path} says itself where its infant is")
+        raise ValueError(f"initial_qpos has {ROOT!r}, but {model_path} places its infant itself")
     body = {"body": "scene"} if brings_infant else {}
     scene.add_agents(**{**infant, **body, **root})
     if senses.spacings is not None:
@@ -71,7 +71,7 @@ def _brings_infant(scene: Scene) -> bool:
 
 
 def _posed(pose: Mapping[str, ArrayLike]) -> Tuple[Dict[str, float], Dict[str, Any]]:
-    """Angles by joint, and the place of the root where it has one."""
+    """Angles by joint, and the pose of the root if given."""
     angles: Dict[str, float] = {}
     root: Dict[str, Any] = {}
     for joint, value in pose.items():

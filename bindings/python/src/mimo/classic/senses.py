@@ -1,4 +1,4 @@
-"""The original's observation dictionary, made of the library's fields."""
+"""The original's dictionary of observations, made of the library's fields."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ Picked = Optional[NDArray[np.intp]]
 
 
 class Observer:
-    """Puts fields together as the original does: `observation` in its order, `touch`, `vestibular`, one key a camera.
+    """Combines fields as the original does: `observation` in its order, `touch`, `vestibular`, one key per camera.
 
-    `torque_sensors` names those whose torques are told, where the original's scene has fewer than the body; None: all.
-    `extra` names further fields, at the end of `observation`.
+    `torque_sensors` are the sensors with torques, if the original's scene has fewer than the body; None: all. `extra`
+    names additional fields at the end of `observation`.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class Observer:
         self.boxes = self._boxes(world.layout.views(block))
 
     def see(self, views: Observation, worlds: int = 0) -> Dict[str, NDArray[Any]]:
-        """The dictionary, in arrays of its own; of several worlds with their number, the arrays' first axis."""
+        """The dictionary, with new arrays; `worlds` is the length of their first axis."""
         lead = (worlds,) if worlds else ()
         seen: Dict[str, NDArray[Any]] = {"observation": self._row(views, lead)}
         if self.touch is not None:
@@ -63,7 +63,7 @@ class Observer:
         return np.concatenate(rows, axis=-1, dtype=np.float64)
 
     def _boxes(self, views: Observation) -> Dict[str, spaces.Box]:
-        """Unbounded, as the original's; pictures are 0 to 255."""
+        """Unbounded spaces, as in the original; pictures are 0 to 255."""
         boxes = {}
         for name, array in self.see(views).items():
             low, high = (0.0, 255.0) if array.dtype == np.uint8 else (-np.inf, np.inf)
@@ -72,7 +72,7 @@ class Observer:
 
 
 def _picked(fields: Any, sensors: Optional[Sequence[str]]) -> Picked:
-    """Places of the components of some torque sensors in the flattened field."""
+    """Indices of the components of torque sensors in the flattened field."""
     field = fields.get("proprioception/torque")
     if sensors is None or field is None:
         return None

@@ -1,4 +1,4 @@
-"""Touch as the original tells it: a row of three numbers a sensor, and by body where sensors are and what they feel."""
+"""Touch in the original's form: three numbers per sensor, and sensors' positions and forces by body."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ByBody = Dict[int, NDArray[Any]]
 
 
 def force_field(fields: Mapping[str, Any]) -> str:
-    """The name of the field of forces, or nothing where the infant has no skin."""
+    """The name of the field of forces, or None without skin."""
     return "touch/force" if "touch/force" in fields else ""
 
 
@@ -26,7 +26,7 @@ class Touch:
         receptors = world.layout.receptors(field)
         self._bodies = receptors.bodies
         self._normals = receptors.frame[:, 0, :].astype(np.float32)
-        self._alone = world.layout.fields[field].shape[-1] == 1  # the normal force alone
+        self._alone = world.layout.fields[field].shape[-1] == 1  # normal force only
         self._field = field
         self._felt = np.zeros((len(receptors.bodies), 3), np.float32)
         numbers = np.unique(receptors.bodies)
@@ -37,7 +37,7 @@ class Touch:
     def row(self, views: Observation, lead: Tuple[int, ...] = ()) -> NDArray[np.float32]:
         """All sensors' forces, flattened (after the first axes `lead`); also kept for sensor_outputs."""
         force = views[self._field]
-        # The normal force alone presses against the skin. The original gives three numbers here as well.
+        # A normal force points into the skin. The original gives three numbers here as well.
         felt: NDArray[np.float32] = -force * self._normals if self._alone else np.array(force, np.float32)
         self._felt = felt
         return felt.reshape((*lead, -1)).copy()
@@ -49,9 +49,9 @@ class Touch:
 
     @property
     def body_names(self) -> Dict[int, str]:
-        """Names of the bodies that feel."""
+        """Names of the bodies with skin."""
         return dict(self._names)
 
     def get_total_sensor_count(self) -> int:
-        """How many sensors there are."""
+        """The number of sensors."""
         return len(self._bodies)

@@ -1,4 +1,4 @@
-"""The functions of the original's `mimoEnv.utils` that scripts use. `model` and `data` are those of an environment."""
+"""Functions of the original's `mimoEnv.utils`. `model` and `data` are those of an environment."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Numbers = NDArray[np.float64]
 
 
 def get_body_id(model: ModelView, body_id: Optional[int] = None, body_name: Optional[str] = None) -> int:
-    """The number of a body, by its name or by that number itself."""
+    """The number of a body, by its name or number."""
     if (body_id is None) == (body_name is None):
         raise ValueError(f"body_id is {body_id!r} and body_name {body_name!r}, expected one of them")
     return int(body_id) if body_name is None else _world(model).find(Kind.BODY, body_name)  # type: ignore[arg-type]
@@ -27,7 +27,7 @@ def get_geoms_for_body(model: ModelView, body_id: int) -> List[int]:
 
 
 def get_child_bodies(model: ModelView, body_id: int) -> List[int]:
-    """Numbers of a body and of all below it, in their order."""
+    """Numbers of a body and its descendants, in order."""
     parents, found = model.body_parentid, [int(body_id)]
     for body in range(int(body_id) + 1, len(parents)):  # parents come before their children
         if parents[body] in found:
@@ -43,17 +43,17 @@ def set_joint_qpos(model: ModelView, data: DataView, joint_name: str, qpos: Arra
 
 
 def get_joint_qpos_addr(model: ModelView, joint_id: int) -> int:
-    """Where a joint's position begins in qpos."""
+    """The index of a joint's position in qpos."""
     return int(model.jnt_qposadr[joint_id])
 
 
 def get_joint_qvel_addr(model: ModelView, joint_id: int) -> int:
-    """Where a joint's velocity begins in qvel."""
+    """The index of a joint's velocity in qvel."""
     return int(model.jnt_dofadr[joint_id])
 
 
 def lock_joint(model: ModelView, joint_name: str, joint_angle: Optional[float] = None) -> None:
-    """Holds a joint at an angle (rad), softly; without one at where its lock has it already, which is mostly 0."""
+    """Locks a joint softly at an angle (rad); the default is the angle of its lock, usually 0."""
     world = _world(model)
     if joint_angle is None:
         joint_angle = float(world.joints(joint_name).lock.ravel()[1])
@@ -61,30 +61,30 @@ def lock_joint(model: ModelView, joint_name: str, joint_angle: Optional[float] =
 
 
 def unlock_joint(model: ModelView, joint_name: str) -> None:
-    """Lets a joint go."""
+    """Releases a joint."""
     _world(model).unlock(joint_name)
 
 
 def get_body_position(data: DataView, body_name: str) -> Numbers:
-    """Where a body's origin is, world, m."""
+    """The position of a body's origin, world, m."""
     position: Numbers = _world(data).bodies(body_name).position[0]
     return position
 
 
 def get_body_rotation(data: DataView, body_name: str) -> Numbers:
-    """How a body is turned: 3 x 3, from its frame to the world's."""
+    """The rotation of a body: 3 x 3, from its frame to the world's."""
     return matrix(_world(data).bodies(body_name).orientation[0])
 
 
 def body_pos_to_world(data: DataView, position: ArrayLike, body_id: int) -> Numbers:
-    """A point in a body's frame (or n x 3 of them) as one of the world, m."""
+    """Converts a point (or n x 3) from a body's frame to the world, m."""
     body = data.body(int(body_id))
     turned: Numbers = np.asarray(position) @ matrix(body.xquat).T + body.xpos
     return turned
 
 
 def world_pos_to_body(data: DataView, position: ArrayLike, body_id: int) -> Numbers:
-    """A point of the world (or n x 3 of them) in a body's frame, m."""
+    """Converts a point (or n x 3) from the world to a body's frame, m."""
     body = data.body(int(body_id))
     turned: Numbers = (np.asarray(position) - body.xpos) @ matrix(body.xquat)
     return turned

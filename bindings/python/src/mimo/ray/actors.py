@@ -1,4 +1,4 @@
-"""Actors that have worlds, and what it takes to replace one that is lost."""
+"""Actors with worlds, and their replacement after a loss."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from ..scene import Scene
 from ..vector import Results
 from ..vector import VectorEnv as LocalVectorEnv
 
-PATIENCE = 60.0  # seconds until an actor has to have its place in the cluster
-LOSSES = 3  # of an actor in one step, after which it is the step's fault
+PATIENCE = 60.0  # longest wait for an actor's place in the cluster, s
+LOSSES = 3  # losses of an actor in one step after which the step is to blame
 
 
 class Worlds:
-    """What an actor does: it has a batch of worlds. It is made by `make`, so that errors are those of a call."""
+    """An actor with a batch of worlds. `make` creates them, so that errors are raised by a call."""
 
     def make(self, scene: Union[str, Scene], options: Dict[str, Any]) -> Tuple[Any, Any, Any]:
-        """Makes the worlds; says what they observe and do."""
+        """Makes the worlds; returns their spaces."""
         self.envs = LocalVectorEnv(scene, **options)
         return self.envs.single_observation_space, self.envs.single_action_space, self.envs.metadata
 
     def load(self, state: bytes) -> None:
-        """Takes the place of an actor that was lost."""
+        """Restores the worlds of a lost actor."""
         self.envs = cloudpickle.loads(state)
 
     def save(self) -> bytes:
-        """All that is needed to go on elsewhere."""
+        """The complete state of the worlds."""
         state: bytes = cloudpickle.dumps(self.envs)
         return state
 
@@ -40,17 +40,17 @@ class Worlds:
         return self.envs.reset(seed=seed, options=options)
 
     def step(self, actions: NDArray[np.float32]) -> Results:
-        """Goes one step on."""
+        """Makes one step."""
         return self.envs.step(actions)
 
 
 class Part:
-    """Some of the worlds: their actor, and all that it takes to replace it."""
+    """Some of the worlds: their actor, and the data to replace it."""
 
     def __init__(self, worlds: slice, cpus: int, kept_every: int, made_of: Tuple[Any, Dict[str, Any]]) -> None:
         self.worlds, self._cpus, self._kept_every = worlds, cpus, kept_every
         self._state: Optional[bytes] = None
-        self._calls: List[Tuple[Any, ...]] = []  # since the state was kept
+        self._calls: List[Tuple[Any, ...]] = []  # calls since the state was kept
         self._start(cpus)
         self.ask("make", *made_of)
 
@@ -60,7 +60,7 @@ class Part:
         self._call(method, *arguments)
 
     def take(self) -> Any:
-        """The answer to what was asked last, whatever becomes of the actor meanwhile."""
+        """The result of the last call, even if the actor is lost meanwhile."""
         for _ in range(LOSSES):
             try:
                 self._wait_for_place()
@@ -68,7 +68,7 @@ class Part:
                 self._keep()
                 return answer
             except RayTaskError as error:
-                self._calls.pop()  # it was refused, so nothing happened
+                self._calls.pop()  # it was refused, so nothing changed
                 raise error.cause from None
             except RayActorError:
                 self._replace()
@@ -91,12 +91,12 @@ class Part:
                 self._state = ray.get(self._actor.save.remote())
                 self._calls.clear()
             except RayActorError:
-                pass  # lost just now: the next call finds out, and goes on from the state before
+                pass  # the actor was lost: the next call notices, and continues from the previous state
 
     def _replace(self) -> None:
-        """A new actor, brought to where the lost one was: by the state that was kept, and all calls since then.
+        """A new actor in the state of the lost one: from the kept state and all calls since then.
 
-        It asks for no CPUs: where a machine is gone there may be none left, and sharing them is slower than ending.
+        It asks for no CPUs: after the loss of a machine none may be left, and sharing them is better than failing.
         """
         self._start(cpus=0)
         if self._state is not None:
@@ -105,7 +105,7 @@ class Part:
             self._call(method, *arguments)
 
     def _start(self, cpus: int) -> None:
-        # "SPREAD" also says that within Tune it needs a place of its own, beside what a trial has asked for.
+        # "SPREAD" also lets it have resources beyond those of a trial of Tune.
         self._actor = ray.remote(Worlds).options(num_cpus=cpus, scheduling_strategy="SPREAD").remote()
         self._in_place = False
 

@@ -8,13 +8,13 @@ from typing import Any, Optional
 
 import ray
 
-ANSWER_WITHIN = 5.0  # seconds, of a cluster that is there
+ANSWER_WITHIN = 5.0  # seconds, for an existing cluster
 
 
 def connect(address: Optional[str] = None, **options: Any) -> None:
-    """Connects to a Ray cluster: to that at `address`, else to the one around (RAY_ADDRESS), else to a new one here.
+    """Connects to a Ray cluster: at `address`, else an existing one (RAY_ADDRESS), else a new one on this machine.
 
-    `address` is HOST:PORT, ray://HOST:PORT or "auto", which is never a new one; options are those of ray.init.
+    `address` is HOST:PORT, ray://HOST:PORT or "auto", which never starts one; options are those of ray.init.
     """
     if ray.is_initialized():
         return
@@ -27,11 +27,11 @@ def connect(address: Optional[str] = None, **options: Any) -> None:
         raise ConnectionError(f"address is {given!r}: {NOBODY}") from None
 
 
-NOBODY = "no Ray cluster is there; start one with `ray start --head`, or leave the address out"
+NOBODY = "no Ray cluster is there; start one with `ray start --head`, or omit the address"
 
 
 def _check_there(address: str) -> None:
-    """Ray itself would try for a minute, and then end the process."""
+    """Checks the address first: Ray would try for a minute, and then end the process."""
     host, _, port = address.rpartition("://")[2].rpartition(":")
     if not host or not port.isdigit():
         raise ValueError(f"address is {address!r}, expected HOST:PORT, ray://HOST:PORT or auto")

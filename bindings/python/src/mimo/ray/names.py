@@ -1,4 +1,4 @@
-"""What is asked for: refused here rather than on another machine, if there is no such thing."""
+"""Checks names and options here rather than on another machine."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..vector import VectorEnv as LocalVectorEnv
 
 
 def scene_of(scene: Union[str, Scene]) -> Union[str, Scene]:
-    """The scene of a name, which may be Gymnasium's ("mimo/Reach-v0")."""
+    """The scene of a name, also of Gymnasium's names ("mimo/Reach-v0")."""
     return dict(ENVIRONMENTS).get(scene, scene) if isinstance(scene, str) else scene
 
 
 def check(scene: Union[str, Scene], options: Mapping[str, Any]) -> None:
-    """Refuses a name or an option that there is not, here rather than on another machine."""
+    """Refuses unknown names and options."""
     known = [*scenes(), *(name for name, _ in ENVIRONMENTS)]
     if isinstance(scene, str) and scene not in known:
         near = difflib.get_close_matches(scene, known, 1)
@@ -30,7 +30,7 @@ def check(scene: Union[str, Scene], options: Mapping[str, Any]) -> None:
     refuse_unknown(rest, EnvOptions, LocalVectorEnv.__init__)
 
 
-OF_WORLDS = ("task", "flatten", "autoreset_mode", "ages")  # what mimo.VectorEnv itself takes
+OF_WORLDS = ("task", "flatten", "autoreset_mode", "ages")  # arguments of mimo.VectorEnv
 REFUSED = {
     "threads": "an actor has as many as `cpus`",
     **dict.fromkeys(("render_mode", "camera", "width", "height"), "worlds in actors draw no pictures for people"),

@@ -1,4 +1,4 @@
-"""RLlib on our worlds, in its runners or in actors."""
+"""RLlib on worlds in its runners or in actors."""
 
 from __future__ import annotations
 
@@ -28,11 +28,12 @@ def configure(
 ) -> Any:
     """An RLlib AlgorithmConfig (PPOConfig(), SACConfig() ...) with `num_envs` worlds of a scene, in either of two ways.
 
-    `runners`: so many of RLlib's environment runners have their share of worlds, and a copy of the policy each.
-    `actors`: one runner has the policy, and so many actors have the worlds (mimo.ray.VectorEnv): the same seed gives
-    the same results with any number of them, also if some are lost. Neither: all in one process.
+    `runners`: the number of RLlib's environment runners, each with a share of the worlds and a copy of the policy.
+    `actors`: the number of actors with worlds (mimo.ray.VectorEnv) beside one runner with the policy; the same seed
+    gives the same results with any number of actors, even if some are lost. Without both, one process has everything.
 
-    Observations are one row of numbers, actions -1 to 1; all else as in mimo.make_vec. `seed` may be Tune's to choose.
+    Observations are one row of numbers, actions -1 to 1; other options are those of mimo.make_vec. Tune may choose
+    `seed`.
     """
     check(scene, options)
     if runners and actors:
@@ -59,14 +60,14 @@ def configure(
 
 
 def register() -> None:
-    """Tells RLlib how to make our worlds, as `configure` does; for programs that only restore a checkpoint."""
-    from ray.tune.registry import register_env  # takes seconds, and more than plain Ray
+    """Registers the worlds with RLlib, as `configure` does; for programs that only restore a checkpoint."""
+    from ray.tune.registry import register_env  # slow, and needs more than plain Ray
 
     register_env(RLLIB_NAME, rllib_env)
 
 
 def rllib_env(given: Any) -> Any:
-    """What RLlib calls where it wants worlds: many with "num_envs", else one."""
+    """Makes worlds for RLlib: many with "num_envs", else one."""
     scene, actors, cpus, options = (given[name] for name in ("scene", "actors", "cpus", "options"))
     worlds = given.get("num_envs")
     if worlds is None:
@@ -79,14 +80,14 @@ def rllib_env(given: Any) -> Any:
 
 
 class _Seeds(gymnasium.vector.VectorWrapper):
-    """Worlds of a seed are the same with any number of runners; RLlib's own overlap, s + 1, s + 2 ... in each."""
+    """Gives worlds the same seeds with any number of runners; RLlib's seeds would overlap: s + 1, s + 2 ... in each."""
 
     def __init__(self, envs: Any, runner: int) -> None:
         super().__init__(envs)
         self._runner = runner
 
     def reset(self, *, seed: Any = None, options: Optional[Dict[str, Any]] = None) -> Tuple[Any, Dict[str, Any]]:
-        """Starts episodes; RLlib's seed of a runner is that of the whole, and the runner's number, from 1 on."""
+        """Starts episodes; RLlib adds the runner's number, from 1 on, to the seed."""
         if seed is not None:
             seed = (seed - self._runner) * WORLDS_OF_A_SEED + max(self._runner - 1, 0) * self.num_envs
         return self.env.reset(seed=seed, options=options)

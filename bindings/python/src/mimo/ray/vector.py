@@ -1,4 +1,4 @@
-"""Worlds in actors, as Gymnasium's VectorEnv."""
+"""A VectorEnv of Gymnasium with worlds in actors."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from .actors import Part
 from .cluster import connect
 from .names import check, scene_of
 
-KEPT_EVERY = 50  # steps: at most so many are made again after the loss of an actor
+KEPT_EVERY = 50  # most steps that are repeated after the loss of an actor
 
 
 class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
     """mimo.VectorEnv whose worlds are spread over Ray actors, and so over the machines of a cluster.
 
-    World i does exactly what world i of mimo.VectorEnv does, however many `actors` share the worlds. An actor that is
-    lost is replaced, and its worlds go on where they were: states are kept every `kept_every` steps, and the steps
-    since then are made again. An actor asks for `cpus` of its machine, and its worlds run on as many threads.
-    Observations are the caller's own. Options are those of mimo.make_vec, but pictures.
+    World i behaves exactly like world i of mimo.VectorEnv, with any number of `actors`. A lost actor is replaced, and
+    its worlds continue: states are kept every `kept_every` steps, and the steps since then are repeated. An actor
+    reserves `cpus` of its machine, and its worlds run on as many threads. Observations are copies. Options are those of
+    mimo.make_vec, except pictures.
     """
 
     def __init__(
@@ -61,7 +61,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         self.render_mode = None
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
-        if isinstance(options.get("task"), GoalTask):  # only then: learners take it for one with goals
+        if isinstance(options.get("task"), GoalTask):  # only with goals: learners test for this attribute
             self.compute_reward = options["task"].compute_reward
         self._seeded = self._sent = False
 
@@ -75,7 +75,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         given = reset_options(options, "reset_mask", "ages")
         for name, values in given.items():
             if len(values) != self.num_envs:
-                raise ValueError(f"options has {len(values)} of {name!r}, expected one a world, {self.num_envs}")
+                raise ValueError(f"options has {len(values)} of {name!r}, expected one per world, {self.num_envs}")
         super().reset(seed=seed if isinstance(seed, int) else None)
         if isinstance(seed, (list, tuple)) and len(seed) != self.num_envs:
             raise ValueError(f"{len(seed)} seeds, expected {self.num_envs}, one for each world")
@@ -87,23 +87,23 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
         return joined([observation for observation, _ in answers]), self._infos([infos for _, infos in answers])
 
     def step(self, actions: Any) -> Results:
-        """Goes one step on in all worlds."""
+        """Steps all worlds."""
         self.send(actions)
         return self.receive()
 
     def send(self, actions: Any) -> None:
-        """Starts a step and returns; receive() gives its results."""
+        """Starts a step and returns at once; receive() returns its results."""
         rows = np.asarray(actions, np.float32)
         if rows.shape != self.action_space.shape:
             raise ValueError(f"actions have the shape {rows.shape}, expected {self.action_space.shape}")
-        if np.isnan(rows).any():  # refused by all, not only by those whose worlds it is for
+        if np.isnan(rows).any():  # all actors refuse it, not only that of the world
             raise ValueError(f"actions: that of world {np.isnan(rows).any(axis=1).argmax()} is not a number")
         for part in self._parts:
             part.ask("step", rows[part.worlds])
         self._sent = True
 
     def receive(self) -> Results:
-        """Waits for the step that was sent."""
+        """Waits for the step in flight."""
         if not self._sent:
             raise RuntimeError("receive: no step was sent")
         self._sent = False
@@ -117,7 +117,7 @@ class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
             part.end()
 
     def _answers(self) -> List[Any]:
-        """Of all parts, also where one was refused."""
+        """Results of all parts, even if one failed."""
         answers, refused = [], []
         for part in self._parts:
             try:
@@ -138,14 +138,14 @@ def make_vec(scene: Union[str, Scene] = "benchmark", num_envs: int = 1, **option
 
 
 def joined(parts: Sequence[Any]) -> Any:
-    """Observations of all worlds: of arrays, or dicts of them."""
+    """Observations of all worlds: arrays, or dicts of arrays."""
     if isinstance(parts[0], Mapping):
         return {name: joined([part[name] for part in parts]) for name in parts[0]}
     return np.concatenate(parts)
 
 
 def joined_infos(parts: Sequence[Mapping[str, Any]], sizes: Sequence[int]) -> Dict[str, Any]:
-    """Gymnasium's infos of all worlds; what some parts do not tell is zero there, and its mask False."""
+    """Gymnasium's infos of all worlds; missing values are zero, with a mask of False."""
     whole: Dict[str, Any] = {}
     for name in dict.fromkeys(name for part in parts for name in part):
         first = next(part[name] for part in parts if name in part)

@@ -1,8 +1,8 @@
 """A viewer in the browser. Needs the extra [view].
 
-    viewer = mimo.view.open("benchmark")      # a world of its own, which moves; in a notebook the page is shown
+    viewer = mimo.view.open("benchmark")      # a new world, which runs; a notebook shows the page
     viewer = mimo.view.open("run.h5")         # a recording
-    viewer = mimo.view.open(env)              # yours: step it, and call viewer.show() after each step
+    viewer = mimo.view.open(env)              # your world: call viewer.show() after each step
 
 On the command line: python -m mimo.view --scene benchmark --port 8080
 """
@@ -22,7 +22,7 @@ from .source import Followed, Live, Source
 from .viewer import LOCAL, Viewer
 
 if TYPE_CHECKING:
-    from ..env import Env  # which opens viewers
+    from ..env import Env  # used to open viewers
 
 __all__ = ["Followed", "Live", "Recorded", "Source", "Viewer", "open"]
 
@@ -36,11 +36,11 @@ def open(
     host: str = LOCAL,
     **options: Any,
 ) -> Viewer:
-    """Opens a page at viewer.url, on a free port unless one is given.
+    """Opens a page at viewer.url; the default is a free port.
 
-    A file that ends with .h5 or .hdf5 is a recording; its option is `eyes`, their pixels. A scene gets a world that
-    runs in a thread of its own until viewer.close(); options are those of mimo.World, and
-    `seed`. A world or an environment stays yours, and takes no options: step it, and call viewer.show().
+    A file that ends with .h5 or .hdf5 is a recording; its option is `eyes`, their pixels. A scene gets a new world,
+    which runs in a thread until viewer.close(); options are those of mimo.World, and `seed`. A world or an environment
+    takes no options: step it, and call viewer.show().
     """
     if isinstance(what, (str, os.PathLike)) and os.fspath(what).endswith(RECORDINGS):
         viewer = Viewer(Recorded(what, **options), host, port)
@@ -48,7 +48,7 @@ def open(
         seed, task = options.pop("seed", 1), options.pop("task", "")
         viewer = Viewer(Live(what, task, **options), host, port, seed, task)
     elif options:
-        raise TypeError(f"{', '.join(options)}: what is there already takes no options")
+        raise TypeError(f"{', '.join(options)}: an existing world takes no options")
     elif isinstance(what, Source):
         viewer = Viewer(what, host, port)
     else:
@@ -58,7 +58,7 @@ def open(
 
 
 def opened_for_people(env: "Env") -> Viewer:
-    """What render_mode="human" opens: in the user's browser where there is a display, and says where it is."""
+    """Opens the page of render_mode="human", in the browser if there is a display, and prints its address."""
     viewer = open(env)
     print(f"The infant is at {viewer.url}")
     if has_display():

@@ -16,26 +16,26 @@ from .viewer import LOCAL, Viewer
 
 
 def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
-    """What was asked for."""
+    """The arguments of the command line."""
     parser = argparse.ArgumentParser(prog="python -m mimo.view", description="Shows an infant in the browser.")
-    parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark); of a recording that does not tell")
+    parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark)")
     parser.add_argument(
         "--recording",
         metavar="FILE.h5",
-        help="plays this run, with its own scene, task, age and actions",
+        help="plays this recording, with its scene, task, age and actions",
     )
-    parser.add_argument("--task", default="", help=f"instead of the scene's own, one of {', '.join(tasks())}")
-    parser.add_argument("--seed", type=int, default=1, help="of the first episode (1)")
+    parser.add_argument("--task", default="", help=f"one of {', '.join(tasks())}")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the first episode (1)")
     parser.add_argument("--age", type=float, help="of the infants, months")
     parser.add_argument("--eyes", type=int, default=EYES, help=f"pixels of each eye, across and down ({EYES}); 0: none")
-    parser.add_argument("--port", type=int, default=8080, help="of the page (8080); 0: any that is free")
+    parser.add_argument("--port", type=int, default=8080, help="port of the page (8080); 0: a free one")
     parser.add_argument("--host", default=LOCAL, help=f"address to listen at ({LOCAL}: from this machine only)")
-    parser.add_argument("--paused", action="store_true", help="does not move until asked to")
+    parser.add_argument("--paused", action="store_true", help="starts paused")
     return parser.parse_args(given)
 
 
 def made(asked: argparse.Namespace) -> Viewer:
-    """The viewer."""
+    """The requested viewer."""
     if asked.recording is not None:
         viewer = Viewer(Recorded(asked.recording, asked.eyes, asked.scene), asked.host, asked.port)
         viewer.clock.paused = asked.paused

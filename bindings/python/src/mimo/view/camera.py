@@ -1,7 +1,7 @@
-"""Where the page looks from: from an infant's front, so near that it fills the scene; and the scene follows it.
+"""The page's camera: it starts in front of an infant, so near that it fills the scene.
 
-The camera is the user's, who turns it and comes near. What follows is the world: it lies below a node that keeps the
-infants in the page's middle.
+The user moves the camera. To follow the infants, the world moves instead: it lies below a node that keeps them in the
+middle of the page.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from ..world import World
 ROOT = "/world"  # the node below which the world lies
 FIELD = np.radians(40.0)  # vertical field of view
 FLESH = 0.09  # m around the bodies' origins
-SHARE = 0.85  # of the scene that the infants take, at most
+SHARE = 0.85  # largest share of the scene that the infants fill
 ASIDE, ABOVE = np.radians(-25.0), np.radians(22.0)  # from an infant's front
 OVER_LYING = np.radians(50.0)
-FOLLOW = 0.15  # how much of its way to the infants the scene goes in a frame
+FOLLOW = 0.15  # share of its way to the infants that the scene moves per frame
 
 
 class Camera:
-    """Aims at the infants of a world when it begins, and keeps them in the middle."""
+    """Aims at the infants of a world, and keeps them in the middle."""
 
     def __init__(self, server: Any, world: World) -> None:
         self._server, self._world = server, world
@@ -43,13 +43,13 @@ class Camera:
             self.aim(client)
 
     def aim(self, client: Any) -> None:
-        """Has one page look at the infants; on a narrow one from farther away."""
+        """Aims one page at the infants; from farther away on a narrow page."""
         camera = client.camera
-        camera.position = self._position(camera.aspect)  # first: it takes look_at along
+        camera.position = self._position(camera.aspect)  # first, because it moves look_at, too
         camera.look_at = (0.0, 0.0, 0.0)
 
     def update(self) -> None:
-        """Moves the world so that the infants come to the middle."""
+        """Moves the world until the infants are in the middle."""
         if self.follows:
             self._middle = self._middle + FOLLOW * (self._places().mean(axis=0) - self._middle)
             if np.abs(self._root.position + self._middle).max() > 1e-4:
@@ -63,7 +63,7 @@ class Camera:
         return tuple((self._direction * self._radius / (SHARE * np.sin(half))).tolist())
 
     def _begins_at(self) -> NDArray[np.float64]:
-        """From the middle to the camera: ahead of an infant that stands or sits, across and over one that lies."""
+        """The vector from the middle to the camera: ahead of an upright infant, beside and above a lying one."""
         rotation = self._world.poses(Kind.BODY).rotations[self._bodies[0]]
         front, upward = turned(rotation, np.eye(3)[[0, 2]])
         lies = abs(upward[2]) < 0.5
@@ -73,7 +73,7 @@ class Camera:
 
 
 def _infants(world: World) -> NDArray[np.int32]:
-    """The bodies of all infants that have joints, the first one's trunk first; where there is no infant, all bodies."""
+    """The bodies of all infants with joints, the first trunk first; all bodies in a scene without infants."""
     joints, starts = world.joints(), tuple(f"{prefix}robot:" for prefix in prefixes(world))
     own = [body for name, body in zip(joints.names, joints.body_ids) if name.startswith(starts)]
     every = np.arange(world.count(Kind.BODY), dtype=np.int32)

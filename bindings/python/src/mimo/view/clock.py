@@ -1,22 +1,22 @@
-"""How simulated time follows that on the wall."""
+"""Synchronises simulated time with real time."""
 
 from __future__ import annotations
 
 import time
 
-WINDOW = 1.0  # s over which the speed is told
+WINDOW = 1.0  # s over which the speed is averaged
 LATE = 0.1  # s
 PATIENCE = 1 / 30  # s
 
 
 class Clock:
-    """Says how many steps are due, and how fast it has really been."""
+    """Tells how many steps are due, and the actual speed."""
 
     def __init__(self, step_seconds: float) -> None:
         self.step_seconds = step_seconds
-        self.speed = 1.0  # simulated seconds a second
+        self.speed = 1.0  # simulated seconds per second
         self.paused = False
-        self.reached = 0.0  # simulated seconds a second, of late
+        self.reached = 0.0  # recent simulated seconds per second
         self._due = 0.0
         self._single = 0
         self._last = self._window_start = time.perf_counter()
@@ -28,7 +28,7 @@ class Clock:
         self._single += 1
 
     def due(self) -> int:
-        """Steps that are to be done now."""
+        """The number of steps that are due."""
         now = time.perf_counter()
         passed, self._last = now - self._last, now
         if self.paused:
@@ -38,7 +38,7 @@ class Clock:
         return int(self._due)
 
     def done(self, count: int, behind: bool) -> None:
-        """Steps that were done; who is behind does not run after what was missed."""
+        """Reports steps; a late clock does not catch up on missed time."""
         self._due = 0.0 if behind else max(0.0, self._due - count)
         self._done += count
         now = time.perf_counter()
@@ -48,11 +48,11 @@ class Clock:
 
     @property
     def late(self) -> bool:
-        """Whether more is due than a moment's."""
+        """Whether it is behind."""
         return self._due * self.step_seconds > LATE * self.speed
 
     def wait_for_step(self) -> bool:
-        """Sleeps until the next step is due, a frame at most; whether it is."""
+        """Sleeps until the next step is due, at most a frame; returns whether it is."""
         if self.due() >= 1:
             return True
         missing = PATIENCE if self.paused else (1 - self._due) * self.step_seconds / self.speed

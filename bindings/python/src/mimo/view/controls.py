@@ -1,4 +1,4 @@
-"""The page's right side: time, scene, task, the infants' age and faces, and what is shown."""
+"""The page's right side: time, scene, task, the infants' age and faces, and layers."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Ask = Callable[[Callable[[], None]], None]
 
 
 class TimeControls:
-    """Pause, step, speed, reset and seed; and where time is."""
+    """Pause, step, speed, reset and seed; and the time."""
 
     def __init__(self, server: Any, source: Source, clock: Clock, restart: Callable[[], None], ask: Ask) -> None:
         self._source, self._clock = source, clock
@@ -41,7 +41,7 @@ class TimeControls:
             gui.add_button("Reset").on_click(lambda _: ask(restart))
 
     def _chosen(self, event: Any, ask: Ask) -> None:
-        if event.client is not None:  # not ours, of update()
+        if event.client is not None:  # not by update()
             step = round(float(event.target.value) / self._source.step_seconds)
             ask(lambda: self._source.seek(min(step, self._source.length or 0)))
 
@@ -64,7 +64,7 @@ class TimeControls:
 
 
 class SceneControls:
-    """Another scene, another task."""
+    """Scene and task."""
 
     def __init__(self, server: Any, source: Source, task: str, change: Callable[[str, str], None], ask: Ask) -> None:
         names = scenes() if source.scenes else [source.scene]
@@ -81,17 +81,17 @@ class SceneControls:
         if event.client is None:
             return
         if event.target is self._scene:
-            self._task.value = SCENES_OWN  # the other scene may not know the old one's
+            self._task.value = SCENES_OWN  # the other scene may not have the task
         scene, task = self._scene.value, self._task.value
         self._ask(lambda: self._change(scene, "" if task == SCENES_OWN else task))
 
     def set(self, scene: str, task: str) -> None:
-        """Shows what is so, also after a change that was refused."""
+        """Shows the current values, also after a refused change."""
         self._scene.value, self._task.value = scene, task or SCENES_OWN
 
 
 class InfantControls:
-    """Ages, which count from the next reset on, and faces, which change at once."""
+    """Ages, which change at the next reset, and faces, which change at once."""
 
     def __init__(self, server: Any, source: Source, restart: Callable[[], None], ask: Ask) -> None:
         self._world = source.world
@@ -120,12 +120,12 @@ class InfantControls:
 
     @property
     def ages(self) -> Optional[List[Optional[float]]]:
-        """What resets are to be told: None where nobody asked for another age."""
+        """The ages for resets; None without a change."""
         return [self._given.get(agent) for agent in range(len(self._world.agents))] if self._given else None
 
 
 class MotorControls:
-    """Who chooses the actions."""
+    """The choice of actions."""
 
     def __init__(self, server: Any, motors: Motors) -> None:
         self._motors = motors
@@ -133,7 +133,7 @@ class MotorControls:
         self._choice.on_update(lambda event: setattr(motors, "choice", event.target.value))
 
     def show(self) -> None:
-        """Shows who does."""
+        """Shows the current choice."""
         self._choice.value = self._motors.choice
 
 
@@ -145,6 +145,6 @@ def layer_switches(server: Any, layers: Dict[str, Any]) -> None:
 
 
 def follow_switch(server: Any, camera: Camera) -> None:
-    """A box for whether the infants stay in the middle."""
-    box = server.gui.add_checkbox("follow", camera.follows, hint="the infants stay in the page's middle")
+    """A box that keeps the infants in the middle."""
+    box = server.gui.add_checkbox("follow", camera.follows, hint="keeps the infants in the middle of the page")
     box.on_update(lambda event: setattr(camera, "follows", bool(event.target.value)))

@@ -1,8 +1,8 @@
-"""The page's door: who may come in, and what may come from there.
+"""Guards the page: who may connect, and which messages may arrive.
 
-viser lets every page of the user's browser connect, and believes what arrives. Here the address holds a token, as those
-of notebooks do; a browser's connection has to come from the page itself; and a message has to be one that the page can
-send, with a value that its control can have.
+viser accepts connections from every page in the user's browser, and trusts their messages. Here the address holds a
+token, like a notebook's; a browser's connection must come from the page itself; and a message must be one that the page
+can send, with a value that its control can have.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from urllib.parse import urlsplit
 
 from .front import front_page
 
-FARTHEST = 1e5  # m, and what else a page measures
+FARTHEST = 1e5  # m and other units of a page
 LONGEST_TEXT = 1000
 TEXTS = ("type", "name", "owner", "phase", "button", "modifier")
-ABSENT = ("instance_index", "modifier")  # what may be null
+ABSENT = ("instance_index", "modifier")  # may be null
 SIZES = ("fov", "near", "far", "image_height", "image_width")
 VECTORS = {
     "wxyz": 4,
@@ -32,7 +32,7 @@ VECTORS = {
     "start_screen_pos": 2,
     "end_screen_pos": 2,
 }
-MESSAGES = (  # viser's, of which the page sends no others; not, for example, that it be shared with the whole internet
+MESSAGES = (  # the page sends only these of viser's; not, for example, the one that shares it on the internet
     "GuiUpdateMessage",
     "ViewerCameraMessage",
     "SceneNodeDragMessage",
@@ -41,22 +41,22 @@ MESSAGES = (  # viser's, of which the page sends no others; not, for example, th
     "TransformControlsDragEndMessage",
 )
 TURNED_AWAY = b"This page opens with the whole address that the viewer has printed, with the token in it.\n"
-Controls = Callable[[str], Any]  # the control of an id, None: there is none
+Controls = Callable[[str], Any]  # the control of an id, or None
 
 
 class Door:
-    """Lets in who knows the token."""
+    """Lets clients with the token in."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(24)
-        self.stands = False  # whether viser's server has it
+        self.stands = False  # whether viser's server uses it
         self.controls: Controls = lambda _: None
         self._page = front_page()
 
-    # ---- Who ---------------------------------------------------------------------------------------------------------
+    # ---- Connections -------------------------------------------------------------------------------------------------
 
     def answer(self, connection: Any, request: Any) -> Any:
-        """What a request gets; None: it becomes a connection."""
+        """The response to a request; None: it becomes a connection."""
         path = request.path.partition("?")[0].strip("/")
         if not hmac.compare_digest(path.encode(errors="replace"), self.token.encode()):
             return _response(http.HTTPStatus.FORBIDDEN, "text/plain", TURNED_AWAY)
@@ -66,7 +66,7 @@ class Door:
             return _response(http.HTTPStatus.FORBIDDEN, "text/plain", b"Another page's connection is refused.\n")
         return None
 
-    # ---- What --------------------------------------------------------------------------------------------------------
+    # ---- Messages ----------------------------------------------------------------------------------------------------
 
     def takes(self, raw: Any) -> bool:
         """Whether a message is one that the page can send."""
@@ -91,13 +91,13 @@ class Door:
         control = self.controls(uuid)
         return control is not None and can_be(control, updates["value"])
 
-    # ---- Where it stands ---------------------------------------------------------------------------------------------
+    # ---- Installation ------------------------------------------------------------------------------------------------
 
     @contextmanager
     def put_up(self) -> Iterator[None]:
-        """A viser server that is made meanwhile has this door.
+        """Guards the viser server that is made in the block.
 
-        viser calls websockets' serve() itself and hands nothing on to it: for that moment serve() is ours.
+        viser calls websockets' serve() without options, so the block replaces serve().
         """
         from websockets.asyncio import server as web
 
@@ -138,13 +138,13 @@ def can_be(control: Any, value: Any) -> bool:
         return isinstance(value, bool)
     if isinstance(control.value, (int, float)) and _finite(value):
         low, high = getattr(control, "min", None), getattr(control, "max", None)
-        slack = 1e-6 * max(1.0, abs(value))  # steps are added up
+        slack = 1e-6 * max(1.0, abs(value))  # added steps are inexact
         return (low is None or value >= low - slack) and (high is None or value <= high + slack)
     return False
 
 
 def _plain(name: str, value: Any) -> bool:
-    """Whether a message's part is small, and its numbers are finite."""
+    """Whether a part of a message is small, and its numbers are finite."""
     if name in VECTORS:
         return isinstance(value, list) and len(value) == VECTORS[name] and all(map(_finite, value))
     if value is None:
@@ -155,7 +155,7 @@ def _plain(name: str, value: Any) -> bool:
 
 
 def _whole(raw: Any) -> bool:
-    """Whether a message has all the parts that viser takes, and no others: a TypeError there ends the connection."""
+    """Whether a message has exactly the parts that viser takes: a TypeError there would end the connection."""
     from viser._messages import Message
 
     try:
@@ -171,13 +171,13 @@ def _finite(value: Any) -> bool:
 
 
 def _own(origins: Any, hosts: Any) -> bool:
-    """Whether a connection comes from this page, or from no page at all."""
+    """Whether a connection comes from this page, or not from a browser."""
     if len(origins) == 0:
         return True
     try:
         places = [urlsplit(origin).netloc.lower() for origin in origins]
     except ValueError:
-        return False  # no address at all
+        return False  # not an address
     return len(hosts) == 1 and places == [hosts[0].lower()]
 
 
@@ -198,7 +198,7 @@ def _response(status: http.HTTPStatus, kind: str, body: bytes) -> Any:
 
 
 def _silent() -> Any:
-    """A log that nobody reads: who is turned away is no news for the user's terminal."""
+    """A silent log: refused clients are not reported on the user's terminal."""
     import logging
 
     quiet = logging.getLogger("mimo.view.web")

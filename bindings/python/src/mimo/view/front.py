@@ -1,4 +1,4 @@
-"""The page itself: viser's, with our name, and with room for the infant where there is little."""
+"""The page: viser's, with another name, and with more room for the infant on narrow screens."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ SCRIPT = Path(__file__).with_name("front.js")
 
 
 def front_page() -> bytes:
-    """The page as it is served."""
+    """The served page."""
     import viser
 
     page = (Path(viser.__file__).parent / "client" / "build" / "index.html").read_text("utf-8")

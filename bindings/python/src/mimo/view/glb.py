@@ -1,4 +1,4 @@
-"""A shape as a binary glTF file, which is what the page takes for shapes with textures."""
+"""Shapes as binary glTF files, the page's format for shapes with textures."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ ROUGHEST = 0.9
 
 
 def roughness(material: Appearance) -> float:
-    """What engines take instead of Phong's exponent n = 128 shininess: sqrt(2 / (n + 2))."""
+    """Roughness from Phong's exponent n = 128 shininess: sqrt(2 / (n + 2))."""
     if material.specular == 0:
         return ROUGHEST
     return float(np.clip(np.sqrt(2 / (128 * material.shininess + 2)), 0.2, ROUGHEST))
 
 
 def linear(color: Any) -> NDArray[np.float64]:
-    """Screen colours, which MuJoCo's are, as amounts of light."""
+    """MuJoCo's screen colours as linear light."""
     srgb = np.asarray(color, np.float64)
     light: NDArray[np.float64] = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
     return light
@@ -37,7 +37,7 @@ def binary(mesh: Mesh, material: Appearance, picture: Any, places: Any, normals:
         roughnessFactor=roughness(material),
         alphaMode="BLEND" if material.color[3] < 1 else "OPAQUE",
     )
-    texcoords = np.stack([mesh.texcoords[:, 0], 1 - mesh.texcoords[:, 1]], axis=1)  # which trimesh turns round again
+    texcoords = np.stack([mesh.texcoords[:, 0], 1 - mesh.texcoords[:, 1]], axis=1)  # trimesh flips it back
     shape = trimesh.Trimesh(
         vertices=places,
         faces=mesh.triangles,

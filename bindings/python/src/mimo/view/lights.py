@@ -1,16 +1,16 @@
-"""The page's lamps: the world's light is in its colours already (shapes.lit)."""
+"""The page's lamps; colours already contain the world's light (shapes.lit)."""
 
 from __future__ import annotations
 
 from typing import Any
 
 WHITE = (255, 255, 255)
-FROM = (1.0, -0.6, 2.0)  # where the lamp is, seen from what it lights
-AROUND, LAMP = 1.5, 2.3  # a little more than pi together: white things are white, also a little aslant
+FROM = (1.0, -0.6, 2.0)  # direction from things to the lamp
+AROUND, LAMP = 1.5, 2.3  # a little more than pi together, so that slanted white things are white, too
 
 
 def add_lights(server: Any) -> None:
-    """Even light from all around, and a lamp that casts shadows; no surroundings that would be mirrored."""
+    """Adds ambient light and a lamp that casts shadows; no environment to reflect."""
     scene = server.scene
     scene.configure_environment_map(None)
     scene.configure_default_lights(False)

@@ -1,4 +1,4 @@
-"""What is drawn over the world's shapes: touch, contacts, the pull, bones and joints."""
+"""Marks over the world's shapes: touch, contacts, the pull, bones and joints."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from .camera import ROOT
 from .pull import Pull
 
 LIFT = 0.002  # m above the skin, so that marks are not inside it
-NOWHERE = -1000.0  # m below the floor: of one mark at least, as the page takes no empty lists
-CONTACT_SCALE = 0.003  # m for a newton
+NOWHERE = -1000.0  # m below the floor, for a hidden mark: the page refuses empty lists
+CONTACT_SCALE = 0.003  # m per newton
 LONGEST = 0.5  # m
 CALM, STRAINED = np.array([70, 130, 220]), np.array([230, 40, 40])
 
 
 class Layer:
-    """Marks that can be hidden; what is hidden is not computed either."""
+    """Marks that can be hidden; hidden ones are not computed."""
 
     def __init__(self, handle: Any) -> None:
         self._handle = handle
 
     @property
     def visible(self) -> bool:
-        """Whether it is shown."""
+        """Whether they are visible."""
         return bool(self._handle.visible)
 
     @visible.setter
@@ -38,7 +38,7 @@ class Layer:
         self._handle.visible = visible
 
     def update(self) -> None:
-        """Draws what is now."""
+        """Draws the current state."""
         if self.visible:
             self._draw()
 
@@ -47,7 +47,7 @@ class Layer:
 
 
 class Skin(Layer):
-    """Touch: each sensor that feels a force, by its strength."""
+    """Touch: each touched sensor, coloured by force."""
 
     def __init__(self, server: Any, world: World) -> None:
         self._world = world
@@ -87,7 +87,7 @@ class Contacts(Layer):
 
 
 class Pulled(Layer):
-    """The pull: an arrow from the body to where it is pulled."""
+    """The pull: an arrow from the body to its target."""
 
     def __init__(self, server: Any, pull: Pull) -> None:
         self._pull = pull
@@ -143,7 +143,7 @@ def contact_arrows(world: World) -> NDArray[np.float32]:
 
 
 def nowhere(*shape: int) -> NDArray[np.float32]:
-    """Places that nobody sees."""
+    """Invisible places."""
     return np.full((*shape, 3), NOWHERE, np.float32)
 
 

@@ -1,4 +1,4 @@
-"""What a viewer has infants do."""
+"""The viewer's actions."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ HOLD = 0.25  # s between two random actions
 
 
 class Motors:
-    """Actions: none, random ones that are held for a while, or those of sliders."""
+    """Actions: none, random ones that are held for a while, or sliders."""
 
     def __init__(self, world: World, step_seconds: float) -> None:
         self.choice = RANDOM
@@ -24,7 +24,7 @@ class Motors:
         self.restart(None)
 
     def restart(self, seed: object) -> None:
-        """Random actions of an episode: the same for the same seed."""
+        """Starts the random actions of an episode, by its seed."""
         self._random = np.random.default_rng(seed if isinstance(seed, int) else None)
         self._left, self._drawn = 0, self.rest
 

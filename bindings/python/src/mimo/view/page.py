@@ -1,4 +1,4 @@
-"""All that is on the page for one world."""
+"""The page's content for one world."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from .sound import Sound
 from .source import Source
 
 SLOW = 6  # frames between two updates of bars and sliders
-SOUND = 8  # and of sound
+SOUND = 8  # frames between two updates of sound
 
 
 class Page:
-    """The scene and the panels. Built anew for another world; all of it runs in the thread that steps the world."""
+    """The scene and the panels of a world. All of it runs in the thread that steps the world."""
 
     def __init__(self, server: Any, source: Source, clock: Clock, task: str, commands: Any) -> None:
         self._server, self._source, self.commands = server, source, commands
@@ -52,7 +52,7 @@ class Page:
         self.sound = Sound(server, source.world, clock)
         tabs = server.gui.add_tab_group()
         self._handle: Optional[PullHandle] = None
-        if source.length is None:  # what was recorded stays as it was
+        if source.length is None:  # a recording does not change
             with tabs.add_tab("World"):
                 if source.drives:
                     self.scene = SceneControls(server, source, task, self.commands.change, ask)
@@ -67,7 +67,7 @@ class Page:
         self._show_tab = tabs.add_tab("Show")
 
     def update(self) -> None:
-        """Shows the world as it is."""
+        """Shows the current state."""
         with self._server.atomic():
             self.camera.update()
             self.shapes.update()
@@ -86,7 +86,7 @@ class Page:
         self._frames += 1
 
     def remove(self) -> None:
-        """Takes all off the page."""
+        """Removes everything from the page."""
         self.pull.release()
         self._senses.remove()
         self._server.gui.reset()

@@ -1,4 +1,4 @@
-"""A spring between a place and a body: how a viewer's user pulls at it."""
+"""A spring by which the user pulls a body."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LARGEST = 300.0  # N
 
 
 class Pull:
-    """Pulls one body to a target, by the forces that callers may apply."""
+    """Pulls one body to a target, by applied forces."""
 
     def __init__(self, world: World) -> None:
         self.stiffness = 200.0  # N/m
@@ -24,12 +24,12 @@ class Pull:
 
     @property
     def position(self) -> NDArray[np.float64]:
-        """Where the body is."""
+        """The position of the body."""
         place: NDArray[np.float64] = self._selection.read("position", now=True).reshape(3)
         return place
 
     def choose(self, body: Optional[str]) -> None:
-        """Another body, or none."""
+        """Selects a body, or none."""
         self.release()
         self.body = body
         if body is not None:
@@ -37,18 +37,18 @@ class Pull:
             self._mass = float(self._selection.mass.item())
 
     def to(self, target: ArrayLike) -> None:
-        """Pulls there from now on."""
+        """Starts pulling to a target."""
         if self.body is not None:
             self.target = np.array(target, np.float64)
 
     def release(self) -> None:
-        """Pulls no more."""
+        """Stops pulling."""
         if self.target is not None and self.body is not None:
             self._selection.force = np.zeros(6)
         self.target, self.force = None, np.zeros(3)
 
     def apply(self, step_seconds: float) -> None:
-        """The force of the next step. Light bodies are pulled less: a stiff spring would throw them about."""
+        """Sets the force of the next step; smaller for light bodies, which a stiff spring would fling."""
         if self.target is None:
             return
         stiffness = min(self.stiffness, self._mass / step_seconds**2)

@@ -1,4 +1,4 @@
-"""The handle in the scene by which a body is pulled."""
+"""The handle in the scene that pulls a body."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Ask = Callable[[Callable[[], None]], None]
 
 
 class PullHandle:
-    """Three axes at a body: dragged, they pull it by a spring. So does who drags the body itself, with Ctrl."""
+    """Three axes at a body that pull it by a spring; dragging the body with Ctrl does the same."""
 
     def __init__(self, server: Any, world: World, pull: Pull, ask: Ask) -> None:
         self._pull, self._ask, self._dragged = pull, ask, False
@@ -24,7 +24,7 @@ class PullHandle:
         self._choice = gui.add_dropdown(
             "pull at", [NOTHING, *bodies], initial_value=NOTHING, hint="or Ctrl and drag it"
         )
-        self._hold = gui.add_checkbox("hold on", False, hint="goes on pulling when the handle is let go")
+        self._hold = gui.add_checkbox("hold on", False, hint="keeps pulling when the handle is released")
         self._stiffness = gui.add_slider("spring (N/m)", min=20.0, max=2000.0, step=10.0, initial_value=pull.stiffness)
         self._axes = server.scene.add_transform_controls(f"{ROOT}/pull", 0.2, disable_rotations=True, visible=False)
         self._choice.on_update(self._chosen)
@@ -45,7 +45,7 @@ class PullHandle:
         if not self._hold.value and not self._dragged:
             self._pull.release()
 
-    async def _moved(self, event: Any) -> None:  # async: in the order in which it comes
+    async def _moved(self, event: Any) -> None:  # async: handled in order
         place, ended = np.array(event.target.position), event.phase == "end"
         self._ask(lambda: self._drag(place, ended))
 
@@ -56,7 +56,7 @@ class PullHandle:
             self._let_go()
 
     def body_dragged(self, body: str, event: Any) -> None:
-        """Somebody pulls at a body itself."""
+        """Handles dragging of a body."""
         offset, ended = np.subtract(event.end_position, event.start_position), event.phase == "end"
         self._ask(lambda: self._drag_body(body, offset, ended))
 
@@ -66,6 +66,6 @@ class PullHandle:
         self._drag(self._pull.position + offset, ended)
 
     def update(self) -> None:
-        """Follows the body while nobody drags it."""
+        """Follows the body unless it is dragged."""
         if self._pull.body is not None and self._pull.target is None:
             self._axes.position = self._pull.position

@@ -13,7 +13,7 @@ from .source import Source
 
 
 class Recorded(Source):
-    """A run that was recorded, which the viewer plays."""
+    """A recording that the viewer plays."""
 
     def __init__(self, path: Any, eyes: int = EYES, scene: Optional[str] = None) -> None:
         self._recording = Recording(path)
@@ -30,7 +30,7 @@ class Recorded(Source):
             raise
 
     def advance(self, action: Optional[NDArray[np.float32]], senses: bool) -> bool:
-        """The next recorded step; behind the last one the first."""
+        """Plays the next step; after the last one the first."""
         if self.at == self.length:
             self.seek(0)
         self._recording.step(self.world, senses)
@@ -38,11 +38,11 @@ class Recorded(Source):
         return False
 
     def restart(self, seed: Optional[int], ages: Any = None) -> None:
-        """Back to the start."""
+        """Goes back to the start."""
         self.seek(0)
 
     def seek(self, step: int) -> None:
-        """To the moment after so many steps."""
+        """Goes to the moment after `step` steps."""
         self._recording.move_to(self.world, step)
         self.at = step
 

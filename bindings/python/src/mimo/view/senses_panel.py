@@ -1,4 +1,4 @@
-"""The page's left side: what the infants see, and what their motors or muscles do."""
+"""The page's left side: eyes, and motors or muscles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ACTIVITY = ("proprioception/activation", "proprioception/control")  # of muscles
 
 
 class SensesPanel:
-    """Pictures of both eyes of each infant, side by side, and bars for all that acts."""
+    """Pictures of both eyes of each infant, and bars for motors or muscles."""
 
     def __init__(self, server: Any, world: World) -> None:
         self._world = world
@@ -50,23 +50,23 @@ class SensesPanel:
         return np.hstack([left, np.full((len(left), GAP, 3), 255, np.uint8), right])
 
     def update_pictures(self) -> None:
-        """What the eyes see now."""
+        """Shows the eyes' pictures."""
         for prefix, picture in self._pictures.items():
             picture.image = self._both(prefix)
 
     def update_bars(self) -> None:
-        """What muscles do now."""
+        """Shows the muscles' activity."""
         for infant, name, html in self._bars:
             field = self._world.layout.fields[name]
             html.content = bars(infant, field.labels, self._world.observation[name].ravel())
 
     def remove(self) -> None:
-        """Takes it off the page."""
+        """Removes it from the page."""
         self._panel.remove()
 
 
 def bars(infant: str, names: Any, values: Any) -> str:
-    """A table of bars, with the infant's name: to the right of the middle for positive values, else to the left."""
+    """A table of bars with the infant's name; negative values go to the left of the middle."""
     title = f'<div style="font-weight:bold;padding:4px 0">{escape(infant)}</div>' if infant else ""
     rows = "".join(_row(short(name), float(np.clip(value, -1, 1))) for name, value in zip(names, values))
     return f'<div style="font:11px sans-serif;padding:0 8px">{title}{rows}</div>'
@@ -81,5 +81,5 @@ def _row(name: str, value: float) -> str:
 
 
 def short(name: str) -> str:
-    """A motor's or joint's name without the word for what it is: "left_elbow" of "robot:left_elbow"."""
+    """A motor's or joint's name without its prefix: "left_elbow" of "robot:left_elbow"."""
     return name.split(":")[-1]

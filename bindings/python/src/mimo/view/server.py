@@ -17,7 +17,7 @@ _starting = threading.Lock()
 
 
 def free_port(host: str, port: int) -> int:
-    """The port, or any free one for 0; refuses one that is taken, where viser would take the next without a word."""
+    """The port, or a free one for 0; refuses a used one, instead of which viser would silently take the next."""
     if not 0 <= port <= 65535:
         raise ValueError(f"port is {port}, expected 0 to 65535")
     with socket.socket() as probe:
@@ -25,18 +25,18 @@ def free_port(host: str, port: int) -> int:
         try:
             probe.bind((host, port))
         except OSError as error:
-            raise OSError(f"port {port} of {host} cannot be had ({error.strerror}); give another port") from None
+            raise OSError(f"port {port} of {host} cannot be used ({error.strerror}); give another port") from None
         taken: int = probe.getsockname()[1]
         return taken
 
 
 def silence() -> Any:
-    """Keeps what viser prints, asked or not, from the user's terminal."""
+    """Keeps viser's output from the user's terminal."""
     return contextlib.redirect_stdout(io.StringIO())
 
 
 def start(host: str, port: int) -> Tuple[Any, Door]:
-    """A viser server that says nothing, and its door."""
+    """A silent viser server, and its door."""
     try:
         import viser
     except ImportError:

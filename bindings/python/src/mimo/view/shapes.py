@@ -16,13 +16,13 @@ from ..world import World
 from .camera import ROOT
 from .glb import binary
 
-STILL = 1e-5  # m, and of quaternions; what moves by less is not sent
+STILL = 1e-5  # m, and of quaternions: smaller movements are not sent
 
 Dragged = Callable[[str, Any], None]  # the body's name, viser's event
 
 
 class Shapes:
-    """Draws all geoms that MuJoCo would draw, and keeps them where and as they are."""
+    """Draws all geoms that MuJoCo would draw, and updates their poses and looks."""
 
     def __init__(self, server: Any, world: World, dragged: Optional[Dragged] = None) -> None:
         self._scene, self._world, self._dragged = server.scene, world, dragged
@@ -54,7 +54,7 @@ class Shapes:
         return np.array([self._world.appearance(geom).texture for geom in range(len(self._geoms))])
 
     def _changed(self) -> Any:
-        """Geoms that look otherwise than they did when this was last asked."""
+        """Geoms whose look has changed since the last call."""
         aged, faced, looks, textures = ages(self._world), faces(self._world), self._own_looks(), self._textures
         if not np.array_equal(faced, self._faces):
             textures = self._texture_numbers()
@@ -90,7 +90,7 @@ class Shapes:
             f"{ROOT}/bodies/{body}/{geom}",
             data,
             visible=self._visible or body == 0,
-            cast_shadow=body != 0,  # nothing casts a shadow on itself: the page's shadows are too coarse for that
+            cast_shadow=body != 0,  # no shadows on itself: the page's shadows are too coarse
             receive_shadow=body == 0,
         )
         if self._dragged is not None and body != 0:
@@ -109,7 +109,7 @@ class Shapes:
 
     @property
     def visible(self) -> bool:
-        """Whether what can move is shown."""
+        """Whether movable bodies are visible."""
         return self._visible
 
     @visible.setter
@@ -120,7 +120,7 @@ class Shapes:
                 handle.visible = visible
 
     def update(self) -> None:
-        """Moves what has moved, and draws anew what looks otherwise."""
+        """Updates changed poses and looks."""
         changed = self._changed()
         if len(changed) > 0:
             self._draw(changed)
@@ -134,15 +134,15 @@ class Shapes:
 
 
 def brightness(world: World) -> float:
-    """How much light falls on what is turned to all lights: MuJoCo's colours are made for that."""
+    """The light on a surface that faces all lamps, for which MuJoCo's colours are made."""
     lights = [light for light in [world.light(), *world.light_sources()] if light.active]
     return float(max(np.sum([light.ambient + light.diffuse for light in lights], axis=0), default=1.0))
 
 
 def lit(material: Appearance, strength: float) -> Appearance:
-    """The material with its own and the world's light on it; the page's lamps make white things white.
+    """The material's colour with its emission and the world's light; the page's lamps make white things white.
 
-    What would be brighter than white keeps its hue: skin in much light is light skin.
+    A colour that would be brighter than white keeps its hue.
     """
     bright = (strength + material.emission) * np.asarray(material.color[:3])
     red, green, blue = (bright / max(1.0, float(bright.max()))).tolist()

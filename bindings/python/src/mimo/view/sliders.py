@@ -13,16 +13,16 @@ from ..world import World
 from .motors import SLIDERS, Motors
 from .senses_panel import short
 
-DIGITS = 2  # after the point of a slider's numbers
+DIGITS = 2  # decimals of a slider's numbers
 
 
 def owner(name: str) -> str:
-    """Whose a joint or motor is: "anna" of "anna/robot:left_elbow", "" for a sole infant's."""
+    """The owner of a joint or motor: "anna" of "anna/robot:left_elbow", "" for a single infant."""
     return name.split("/")[0] if "/" in name else ""
 
 
 def _folders(gui: Any, names: Any, title: str) -> List[Tuple[Any, List[int]]]:
-    """A folder for each owner, with the indices of what is its."""
+    """A folder for each owner, with the indices of its elements."""
     by_owner: Dict[str, List[int]] = defaultdict(list)
     for index, name in enumerate(names):
         by_owner[owner(name)].append(index)
@@ -36,7 +36,7 @@ def _slider(gui: Any, name: str, low: float, high: float, value: float) -> Any:
 
 
 class JointSliders:
-    """Show where joints are, and put them elsewhere at once."""
+    """Show joints' positions, and set them."""
 
     def __init__(
         self, server: Any, world: World, ask: Callable[[Callable[[], None]], None], fixed: bool = False
@@ -57,7 +57,7 @@ class JointSliders:
 
     def _moved(self, index: int) -> Callable[[Any], None]:
         def moved(event: Any) -> None:
-            if event.client is not None:  # not ours, of update()
+            if event.client is not None:  # not by update()
                 self._ask(lambda: self._put(index, event.target.value))
 
         return moved
@@ -65,12 +65,12 @@ class JointSliders:
     def _put(self, index: int, angle: float) -> None:
         which = [int(self._joints.ids[index])]
         low, high = self._ranges()[index]
-        self._world.set(Quantity.JOINT_POSITION, min(max(angle, low), high), which)  # the slider's ends are rounded
+        self._world.set(Quantity.JOINT_POSITION, min(max(angle, low), high), which)  # a slider's ends are rounded
         self._world.set(Quantity.JOINT_VELOCITY, 0.0, which)
         self._world.update()
 
     def update(self) -> None:
-        """Where the joints are now, and how far they can go."""
+        """Shows the joints' positions and ranges."""
         ranges, values = self._ranges(), self._joints._get(Quantity.JOINT_POSITION)
         for slider, ends, value in zip(self._sliders, ranges, values.tolist()):
             low, high = (round(end, DIGITS) for end in ends)

@@ -1,7 +1,7 @@
-"""What an infant's ears hear, played by the page.
+"""Plays the sound at an infant's ears on the page.
 
-viser plays no sound. A picture of one pixel carries the last samples and, when the page has loaded it, hands those that
-are new to the browser's Web Audio: one after the other without a gap, and none twice.
+viser plays no sound. A picture of one pixel carries the last samples; when the page has loaded it, a script passes the
+new ones to the browser's Web Audio, without gaps and without repetitions.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from ..drawing import EARS, prefixes
 from ..world import World
 from .clock import Clock
 
-OVERLAP = 1.0  # s that are sent again, as messages to a slow page replace each other
-USUAL, LOUDEST = 20, 60  # dB by which sound is louder than at 1 Pa full scale
+OVERLAP = 1.0  # s of sound that are sent again, because messages to a slow page replace each other
+USUAL, LOUDEST = 20, 60  # dB above 1 Pa at full scale
 PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
-# `at` is when the next samples are to be heard, `done` the number of the first one that was not handed over yet.
+# `at` is the time of the next samples, `done` the number of the first one that was not passed on yet.
 PLAYER = (
     "const given=this.dataset,rate=+given.rate,speed=+given.speed,first=+given.first;"
     "const it=window.mimoSound??={context:new AudioContext({sampleRate:rate}),at:0,done:first,run:given.run};"
@@ -38,7 +38,7 @@ PLAYER = (
 
 
 class Sound:
-    """A switch, the volume and, of several infants, whose ears are heard. At half speed all is an octave deeper."""
+    """A switch, the volume and the choice of an infant. At half speed sound is an octave deeper."""
 
     def __init__(self, server: Any, world: World, clock: Clock) -> None:
         self._world, self._clock = world, clock
@@ -59,22 +59,22 @@ class Sound:
 
     def _forget(self) -> None:
         self._heard: List[NDArray[np.float32]] = []  # samples x 2
-        self._first, self._sent = 0, 0  # number of the first sample that is kept, and of the first that is new
+        self._first, self._sent = 0, 0  # number of the first kept sample, and of the first new one
         self._run += 1
 
     @property
     def on(self) -> bool:
-        """Whether every step has to sense."""
+        """Whether every step needs observations."""
         return self._switch is not None and bool(self._switch.value)
 
     def hear(self) -> None:
-        """What the ears heard in the step that was made."""
+        """Adds the sound of a step."""
         if self.on:
             prefix = self._whose.value + "/" if self._whose.value else ""
             self._heard.append(np.stack([self._world.observation[prefix + ear] for ear in EARS], axis=1))
 
     def update(self) -> None:
-        """Sends what is new."""
+        """Sends new samples."""
         if not self.on or not self._heard:
             return
         waiting = np.concatenate(self._heard)

@@ -1,6 +1,6 @@
-"""Where a viewer's frames come from: a world that it moves on itself, or one that somebody else steps.
+"""Sources of a viewer's frames: a world that the viewer steps, or one that its owner steps.
 
-Whoever has frames of another kind derives from Source: the viewer asks for nothing else.
+Derive other kinds from Source.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from ..world import World
 
 
 class Source:
-    """A world at a moment, its next moment, and its start."""
+    """A world, its next step, and its start."""
 
-    drives = False  # whether the viewer moves it on, resets it and chooses its actions
+    drives = False  # whether the viewer steps it, resets it and chooses its actions
     scenes = False  # whether it can change to another built-in scene
-    length: Optional[int] = None  # steps of a recording, which plays from a time that is chosen
-    at = 0  # steps of it that were played
+    length: Optional[int] = None  # steps of a recording
+    at = 0  # played steps of a recording
     world: World
     scene = ""
 
@@ -39,15 +39,15 @@ class Source:
         raise NotImplementedError
 
     def change(self, scene: str, task: str) -> None:
-        """Another world, of another scene; "" is the scene's own task."""
+        """Changes to another scene; "" is the scene's task."""
         raise NotImplementedError
 
     def seek(self, step: int) -> None:
-        """The moment after so many steps of a recording."""
+        """Goes to the moment after `step` steps of a recording."""
         raise NotImplementedError
 
     def close(self) -> None:
-        """Ends what it has begun itself."""
+        """Closes what it has opened."""
 
 
 class Followed(Source):
@@ -58,7 +58,7 @@ class Followed(Source):
 
 
 class Live(Source):
-    """A world of the viewer's own."""
+    """A world that the viewer steps."""
 
     drives = True
 
@@ -70,7 +70,7 @@ class Live(Source):
 
     @staticmethod
     def _usual() -> Dict[str, Any]:
-        """What there is to see of an infant, also in scenes whose tasks do without."""
+        """Senses to show, also in scenes whose tasks do not need them."""
         return {"vision": True, "vision_width": EYES, "vision_height": EYES, "touch": True, "hearing": True}
 
     def _made(self, scene: Union[str, Scene], task: str) -> World:
@@ -87,7 +87,7 @@ class Live(Source):
 
     @classmethod
     def asked(cls, scene: Optional[str], eyes: int, age: Optional[float], task: str = "") -> "Live":
-        """As on the command line: eyes of so many pixels, 0 for none; infants of so many months."""
+        """A source for the command line: pixels of each eye, 0 for none; the infants' age in months."""
         options: Dict[str, Any] = {"vision": False}
         if eyes != 0:
             options = {"vision_width": eyes, "vision_height": eyes}
@@ -96,7 +96,7 @@ class Live(Source):
         return cls(scene or "benchmark", task, **options)
 
     def change(self, scene: str, task: str) -> None:
-        """Another built-in scene, with the same options; the old world goes when the new one is there."""
+        """Changes to another built-in scene, with the same options; closes the old world afterwards."""
         world = self._made(scene, task)
         self.world.close()
         self.world, self.scene = world, scene

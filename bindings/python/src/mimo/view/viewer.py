@@ -1,4 +1,4 @@
-"""The viewer: a page in the browser that shows a world, and moves it on."""
+"""The viewer: a page in the browser that shows and steps a world."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from .server import silence, start
 from .source import Source
 
 FRAME = 1 / 30  # s
-BUDGET = 0.8 * FRAME  # s of a frame for steps
+BUDGET = 0.8 * FRAME  # s per frame for steps
 LOCAL = "127.0.0.1"
 
 
 class Viewer:
-    """A page at `url`. One thread steps the world and draws it; the page's buttons leave their wishes with it."""
+    """A page at `url`. One thread steps and draws the world; buttons of the page queue their requests."""
 
     def __init__(
         self, source: Source, host: str = LOCAL, port: int = 0, seed: Optional[int] = 1, task: str = ""
@@ -43,7 +43,7 @@ class Viewer:
 
     @property
     def url(self) -> str:
-        """Where the page is. Who has this address, with the token in it, may see the page and use it."""
+        """The page's address. It holds a token: everyone who has it may use the page."""
         host = self._server.get_host().replace("0.0.0.0", "localhost")
         return f"http://{host}:{self._server.get_port()}/{self._door.token}/"
 
@@ -58,13 +58,13 @@ class Viewer:
         return page
 
     def _greet(self, client: Any) -> None:
-        if client.camera.aspect < 1:  # a phone; all others begin with the usual camera
+        if client.camera.aspect < 1:  # a phone; others start with the default camera
             self._page.camera.aim(client)
 
-    # ---- What the page's buttons ask for; done by the thread of the world ---------------------------------------
+    # ---- Requests of the page's buttons, done by the thread of the world ----------------------------------------
 
     def ask(self, wish: Callable[[], None]) -> None:
-        """Leaves a wish."""
+        """Queues a request."""
         self._wishes.put(wish)
 
     def restart(self) -> None:
@@ -75,7 +75,7 @@ class Viewer:
         self._page.motors.restart(self._seed)
 
     def change(self, scene: str, task: str) -> None:
-        """Goes to another scene or task."""
+        """Changes to another scene or task."""
         try:
             self._source.change(scene, task)
         except Exception:
@@ -94,7 +94,7 @@ class Viewer:
                 return
             try:
                 wish()
-            except Exception as error:  # of the library, for what was asked for; the world is as it was
+            except Exception as error:  # the library refused the request; the world is unchanged
                 self._tell(str(error))
 
     def _tell(self, message: str) -> None:
@@ -102,10 +102,10 @@ class Viewer:
         for client in self._server.get_clients().values():
             client.add_notification("That cannot be done", message, auto_close_seconds=10, color="red")
 
-    # ---- Moving on ------------------------------------------------------------------------------------------------
+    # ---- Stepping -------------------------------------------------------------------------------------------------
 
     def _steps(self) -> None:
-        """Steps that are due; the last one of a frame senses."""
+        """Makes the steps that are due; the last one of a frame observes."""
         count, started, done = self.clock.due(), time.perf_counter(), 0
         behind = False
         while done < count and not behind:
@@ -116,7 +116,7 @@ class Viewer:
             try:
                 if self._source.advance(self._page.motors.next(), last):
                     self._source.restart(None)
-            except Error as error:  # at what a user did, as by pulling
+            except Error as error:  # caused by the user, for example by pulling
                 self._begin_again(error)
                 break
             self._page.sound.hear()
@@ -126,7 +126,7 @@ class Viewer:
         self.clock.done(done, behind)
 
     def _begin_again(self, error: Error) -> None:
-        """After a failure a world can only be reset."""
+        """Resets a world after a failure."""
         self._source.restart(self._seed)
         self._page.pull.release()
         self._page.motors.restart(self._seed)
@@ -134,25 +134,25 @@ class Viewer:
         self._tell(f"{error}; the episode begins again")
 
     def frame(self) -> None:
-        """A frame of a world that the viewer moves on itself."""
+        """A frame of a world that the viewer steps."""
         self._do_wishes()
         self._steps()
         self._page.update()
 
     def run(self) -> None:
-        """Frames until it is closed."""
+        """Draws frames until it is closed."""
         while not self._closed.is_set():
             started = time.perf_counter()
             self.frame()
             self._closed.wait(max(0.0, started + FRAME - time.perf_counter()))
 
     def run_beside(self) -> None:
-        """As run, in a thread of its own."""
+        """Runs in a new thread."""
         self._thread = threading.Thread(target=self.run, name="mimo viewer", daemon=True)
         self._thread.start()
 
     def show(self) -> None:
-        """Shows a world that somebody else has just stepped; waits for real time, or while the page is paused."""
+        """Shows a world after its owner's step; waits for real time, or while the page is paused."""
         self._do_wishes()
         while not self.clock.wait_for_step() and not self._closed.is_set():
             self._do_wishes()
@@ -169,7 +169,7 @@ class Viewer:
             self._page.update()
 
     def close(self) -> None:
-        """Closes the page, and what the viewer has made."""
+        """Closes the page and the viewer's own world."""
         self._closed.set()
         if self._thread is not None:
             self._thread.join()
