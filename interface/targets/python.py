@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import textwrap
 from pathlib import Path
@@ -322,7 +323,7 @@ def is_switch(member):
 def option_doc(member):
     """A member's comment; of a switch with Python's words for 1 and 0."""
     if not is_switch(member):
-        return member.doc
+        return member.doc.replace(", if matures_apart is 1", "")  # Python sets that member itself
     text = re.sub(r"^1: ", "True: ", member.doc)
     return re.sub(r"\b0(?=(?: \(default\))?: )|(?<=Default )0\b", "False", text)
 
@@ -474,6 +475,7 @@ def blocks(api):
         "options of growth": option_table(api, "GrowthOptions"),
         "options of worlds": option_table(api, "PhysicsOptions"),
         "quantities": quantity_table(api),
+        "errors": error_table(),
         "contacts": column_table(api, "CONTACT"),
         "step contacts": column_table(api, "STEP_CONTACT"),
         **{f"options of {call}": option_table(api, name) for call, name in calls.items()},
@@ -498,6 +500,17 @@ def quantity_table(api):
         told = [f"`{attribute}`" + "*" * is_writable(doc) for attribute, _, doc in quantities_of(api, kind)]
         rows.append(f"| `{name.lower()}(...)` | {', '.join(told)} |")
     return ["| | quantities |", "|---|---|", *rows]
+
+
+def error_table():
+    """The exceptions as errors.py documents them."""
+    classes = ast.parse((ROOT / PACKAGE / "errors.py").read_text(encoding="utf-8")).body
+    rows = [
+        f"| `{it.name}` | `{it.bases[1].id}` | {ast.get_docstring(it)} |"
+        for it in classes
+        if isinstance(it, ast.ClassDef) and len(it.bases) == 2
+    ]
+    return ["| exception | also a | when |", "|---|---|---|", *rows]
 
 
 def column_table(api, kind):

@@ -173,7 +173,7 @@ def test_logs_that_are_none(tmp_path):
     (tmp_path / "training.pkl").write_bytes(b"nothing")
     assert "training.pkl is not a log" in evaluated(tmp_path).stderr
     (tmp_path / "training.pkl").write_bytes(pickle.dumps([1, 2]))
-    assert "expected a list of episodes with their steps" in evaluated(tmp_path).stderr
+    assert "expected a list of episodes with steps" in evaluated(tmp_path).stderr
     (tmp_path / "training.pkl").write_bytes(pickle.dumps(subprocess.Popen))  # a program in disguise
     refused = evaluated(tmp_path / "training.pkl").stderr
     assert "it holds subprocess.Popen, expected numbers" in refused

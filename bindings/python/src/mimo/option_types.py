@@ -88,7 +88,7 @@ class GrowthOptions(TypedDict, total=False):
     """Age in months, 0 (a newborn) to 24, for size and mass. Default 18."""
 
     physiological_age: float
-    """Months, 0 to 24, for strength, range of motion and tone, if matures_apart is 1."""
+    """Months, 0 to 24, for strength, range of motion and tone."""
 
     growth: OneOf[GrowthModel]
     """One of GrowthModel. Default GrowthModel.WHO."""
