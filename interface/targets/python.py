@@ -36,6 +36,8 @@ OPTIONS = {
     "CameraOptions": ("mimo_camera_config", ("name", "placed"), {}),
     "FieldOptions": ("mimo_field_config", ("name", "element_count"), {}),
     "PictureOptions": ("mimo_picture_config", ("format",), {}),
+    "LimitOptions": ("mimo_limits", (), {}),
+    "RecorderOptions": ("mimo_recorder_config", (), {}),
 }
 TYPES = {
     "file": 'Union[str, "os.PathLike[str]"]',

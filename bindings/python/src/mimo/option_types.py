@@ -423,3 +423,60 @@ class PictureOptions(TypedDict, total=False):
 
     foveation: float
     """As vision_foveation of mimo_agent_config, for colour and projected points. Default 0."""
+
+
+class LimitOptions(TypedDict, total=False):
+    """Imperfections of a sense or motor. A sense or motor without limits costs nothing."""
+
+    delay: float
+    """Delay in seconds, 0 to 2, rounded to time steps of the model (at most 2000; independent of frame_skip) or, with
+    attached senses, to steps. Default 0.
+    """
+
+    gain: float
+    """Factor of all values, 0 to 3.4e38 (the largest float). Default 1."""
+
+    noise: float
+    """Standard deviation of the Gaussian noise that is added, 0 to 3.4e38, in the field's or action's unit (colours:
+    levels of 255). Default 0.
+    """
+
+    blur: float
+    """For colour pictures only: lines of this many cycles per degree keep half their contrast, 0.05 to 1000; 0
+    (default): sharp.
+    """
+
+    signal_noise: float
+    """Standard deviation of further noise as a share of the value, 0 to 1000. Default 0."""
+
+
+class RecorderOptions(TypedDict, total=False):
+    """What is recorded, and how."""
+
+    compression: int
+    """0 for none to 9 for the smallest file. Default 4."""
+
+    keep: str
+    """Fields to keep of each step: "all", "none", or senses and fields with commas between them,
+    "touch,vision/eye_left". None (default): proprioception and vestibular of whoever has them.
+    """
+
+    state_seconds: float
+    """Simulated seconds between states that are kept, 0.001 to 1e6. Default 1."""
+
+    flush_seconds: float
+    """Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default 1."""
+
+    configuration: str
+    """What the program wants to find again: a text, best JSON. None (default): ""."""
+
+    seed: int
+    """For people: the attribute `seed`. Replays do not need it. Default 0."""
+
+    hdf5: str
+    """Path of the HDF5 library; None (default): see above."""
+
+    replace: bool
+    """True: a whole recording that is there, and that no program is using, is replaced. False (default): it stays, and
+    the recorder is refused.
+    """

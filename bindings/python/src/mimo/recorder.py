@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from typing import Any, Optional, TypedDict, Union
+from typing import Any, Optional, Union
 
 from typing_extensions import Unpack
 
@@ -12,25 +12,9 @@ from . import _abi
 from ._handle import Handle
 from ._hdf5 import with_hdf5
 from ._library import LIB, check, defaults, utf8
+from .option_types import RecorderOptions
 from .options import fill
 from .recorded_world import configuration_of, inner_world
-
-
-class RecorderOptions(TypedDict, total=False):
-    """Settings of a recorder, see mimo_recorder_config. `hdf5` is the path of the HDF5 library.
-
-    The default of `configuration` describes how the world was made, so that Recording.world can make it again; it is ""
-    for worlds with custom tasks.
-    """
-
-    keep: str
-    state_seconds: float
-    flush_seconds: float
-    compression: int
-    configuration: str
-    seed: int
-    hdf5: str
-    replace: bool
 
 
 class Recorder(Handle):
@@ -41,6 +25,9 @@ class Recorder(Handle):
 
     Other changes of the world between two steps are noticed, and a state is kept for replays. A full disk does not fail
     steps; flush and close raise the error. An existing recording is kept and raises FileError unless `replace` is true.
+
+    The default of `configuration` describes how the world was made, so that Recording.world can make it again; it is ""
+    for worlds with custom tasks.
     """
 
     def __init__(self, world: Any, path: "Union[str, os.PathLike[str]]", **options: Unpack[RecorderOptions]) -> None:

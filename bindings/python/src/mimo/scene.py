@@ -39,6 +39,7 @@ from .options import (
     DocumentOptions,
     FieldOptions,
     GrowthOptions,
+    LimitOptions,
     ModelOptions,
     Numbers,
     ObjectOptions,
@@ -214,45 +215,22 @@ class Scene(Handle):
         check(LIB.mimo_scene_read_joint(self._handle, number_of("agent", agent, 64), utf8(joint)))
 
     @_edit
-    def limit_sense(
-        self,
-        path: str,
-        *,
-        gain: float = 1,
-        noise: float = 0,
-        delay: float = 0,
-        blur: float = 0,
-        signal_noise: float = 0,
-        agent: int = 0,
-    ) -> None:
+    def limit_sense(self, path: str, *, agent: int = 0, **limits: Unpack[LimitOptions]) -> None:
         """Limits a sense ("touch") or a field ("vision/eye_left") of an agent.
 
         `gain` is a factor, `noise` the standard deviation of Gaussian noise in the field's unit, `signal_noise` that of
         noise relative to the value; `delay` is in seconds. Pictures keep half the contrast at `blur` cycles per
         degree.
         """
-        given = {"gain": gain, "noise": noise, "delay": delay, "blur": blur, "signal_noise": signal_noise}
-        limits = _limits(**given)
-        check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 64), utf8(path), limits))
+        check(LIB.mimo_scene_limit_sense(self._handle, number_of("agent", agent, 64), utf8(path), _limits(limits)))
 
     @_edit
-    def limit_motor(
-        self,
-        path: str = "",
-        *,
-        gain: float = 1,
-        noise: float = 0,
-        delay: float = 0,
-        signal_noise: float = 0,
-        agent: int = 0,
-    ) -> None:
+    def limit_motor(self, path: str = "", *, agent: int = 0, **limits: Unpack[LimitOptions]) -> None:
         """Limits a motor ("act:left_elbow"), the motors of a part of the body ("left_arm"), or all motors.
 
-        The arguments are those of limit_sense; they apply to actions on their way to motors.
+        The limits are those of limit_sense except `blur`; they apply to actions on their way to motors.
         """
-        given = {"gain": gain, "noise": noise, "delay": delay, "signal_noise": signal_noise}
-        limits = _limits(**given)
-        check(LIB.mimo_scene_limit_motor(self._handle, number_of("agent", agent, 64), utf8(path), limits))
+        check(LIB.mimo_scene_limit_motor(self._handle, number_of("agent", agent, 64), utf8(path), _limits(limits)))
 
     @_edit
     def set_room_temperature(self, celsius: float) -> None:
@@ -444,10 +422,9 @@ def _growth_in(options: Mapping[str, Any]) -> Dict[str, Any]:
     return {name: value for name, value in options.items() if name in enums(GrowthOptions)}
 
 
-def _limits(**values: float) -> _abi.Limits:
+def _limits(options: LimitOptions) -> _abi.Limits:
     limits = defaults(_abi.Limits)
-    for name, value in values.items():
-        setattr(limits, name, real_number(name, value))
+    fill(limits, options, LimitOptions)
     return limits
 
 
