@@ -29,7 +29,7 @@ def of(told, *parts):
 
 
 @pytest.mark.parametrize("body", ["mitten", "fingers"])
-def test_a_person_has_as_many_at_any_age_and_on_any_skin(body):
+def test_the_number_of_units_does_not_depend_on_age_or_sensors(body):
     toddler = units_of(body)
     assert toddler[0].sum() == pytest.approx(PERSON, rel=0.01)
     hands = of(toddler, "hand", "finger", "knuckle", "middle", "distal", "metacarpal", "_th")
@@ -43,7 +43,7 @@ def test_a_person_has_as_many_at_any_age_and_on_any_skin(body):
         assert units_of(body, age=age)[0] == pytest.approx(toddler[0]), age
 
 
-def test_skin_that_is_not_there_leaves_the_rest_as_it_was():
+def test_a_part_s_units_do_not_depend_on_skin_elsewhere():
     whole = units_of("mitten")
     scene = mimo.Scene("free")
     scene.add_agents(vision=False, touch=mimo.Touch.UNITS)

@@ -76,7 +76,7 @@ def test_models_of_packages_run_or_are_refused_clearly(packages):
         ("still", 0, 0, False),
     ],
 )
-def test_models_of_our_own(root, name, joints, actuators, touched):
+def test_models_of_the_library(root, name, joints, actuators, touched):
     seen = run(root / f"tests/models/{name}.xml", steps=250)
     assert seen.get("proprioception/position", np.empty(0)).shape == (joints,)
     assert seen.get("proprioception/control", np.empty(0)).shape == (actuators,)

@@ -99,7 +99,7 @@ def set_gravity(value):
         (lambda: mimo.make_vec("playdate"), ValueError, "2 infants, expected one; for several use mimo.ParallelEnv"),
     ],
 )
-def test_they_are_told(call, kind, message):
+def test_delays_are_reported(call, kind, message):
     with pytest.raises(kind) as caught:
         call()
     assert message in str(caught.value)
@@ -115,7 +115,7 @@ def test_enums_by_the_names_of_their_members():
     assert muscles.count("camera") == muscles.count(mimo.Kind.CAMERA) == 2
 
 
-def test_a_judgement_is_asked_for():
+def test_a_missing_judgement_is_refused():
     one = mimo.make("benchmark", task=Silent(), vision=False, touch=False)
     one.reset(seed=0)
     with pytest.raises(TypeError, match=r"Silent\.evaluate returned an object of type float; return a mimo\.Judgement"):
@@ -126,7 +126,7 @@ def test_a_judgement_is_asked_for():
         many.step(many.action_space.sample())
 
 
-def test_what_is_not_given_of_a_place_is_the_scene_s():
+def test_the_scene_supplies_a_missing_place():
     quarter = [np.sqrt(0.5), 0, 0, np.sqrt(0.5)]
     infant = mimo.World("free", orientation=quarter, vision=False, touch=False).bodies("mimo_location")
     np.testing.assert_array_equal(infant.position[0], [0, 0, 0.4])  # mimo:place of models/free.xml
@@ -153,13 +153,13 @@ def test_objects_say_what_they_are():
     assert repr(mimo.Batch("reach", 3)).startswith("<mimo.Batch 3 x reach: 1 infants")
 
 
-def test_messages_that_are_no_utf_8_are_told(monkeypatch):
+def test_messages_that_are_not_utf_8_are_logged(monkeypatch):
     monkeypatch.setattr(LIB, "mimo_last_error", lambda: "no body named \u00e4".encode()[:-1])  # cut inside a character
     with pytest.raises(mimo.ArgumentError, match="no body named \ufffd"):
         raise_error(-1)
 
 
-def test_paths_that_are_no_utf_8(tmp_path):
+def test_paths_that_are_not_utf_8(tmp_path):
     file = tmp_path / os.fsdecode(b"r\xe4um.xml")  # Latin-1, as old disks have it
     file.write_text("<mujoco><worldbody><body name='box'><geom size='.1'/></body></worldbody></mujoco>")
     assert mimo.World(mimo.Scene(file=file)).count("body") == 2

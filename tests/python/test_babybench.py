@@ -225,7 +225,7 @@ def test_info_and_ends():
     }
 
 
-def test_infos_stay_as_they_were():
+def test_infos_of_earlier_steps_do_not_change():
     env = made("selftouch", **BLIND)
     env.reset(seed=2)
     infos = [env.step(env.action_space.sample())[4] for _ in range(250)]
@@ -297,7 +297,7 @@ def test_touches_are_those_of_the_contacts():
     assert all(found.values())
 
 
-def test_what_each_hand_can_touch(root):
+def test_geoms_that_each_hand_can_touch(root):
     rows = table(root, "self_touch_geoms.csv")
     reachable = {hand: sum(row[f"{hand}_hand_can_count"] == "1" for row in rows) for hand in ("right", "left")}
     assert reachable == {"right": 31, "left": 29}  # of 34 each by which the competition divides
@@ -327,7 +327,7 @@ def test_counters_are_those_of_the_poses():
     env.close()
 
 
-def test_parameters_go_beside_those_of_the_behaviour():
+def test_parameters_are_added_to_those_of_the_behaviour():
     """Without a behaviour nothing moves at random, whatever else is given: seeds make no difference."""
     config = {"behavior": "none", "save_dir": None, **BLIND}
     given = {"parameters": {"selftouch/settle_steps": 7}}

@@ -37,7 +37,7 @@ def same(found, meant):
 
 
 @pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
-def test_what_logs_hold_is_read_as_pickle_reads_it(protocol):
+def test_logs_are_read_as_pickle_reads_them(protocol):
     same(loads(pickle.dumps(PLAIN, protocol)), PLAIN)
     array = loads(pickle.dumps(np.arange(3), protocol))
     array[0] = 5  # its own memory
@@ -69,13 +69,13 @@ REFUSED = {
     "a type": (pickle.dumps([np.dtype("f8")]), "the type of an array"),
     "an object": (pickle.dumps(io.BytesIO(b"")), "_io.BytesIO, expected numbers"),
     "a class": (pickle.dumps(Calls), "Calls, expected numbers"),
-    "nothing": (b"", "no log"),
-    "text": (b"nothing", "no log"),
+    "nothing": (b"", "not a log"),
+    "text": (b"nothing", "not a log"),
     "a length of 2^62": (b"\x80\x04\x8e" + (2**62).to_bytes(8, "little") + b"x.", "but only 2 remain"),
     "a place of 2^31": (b"\x80\x04]r\xff\xff\xff\x7f0j\xff\xff\xff\x7e.", "do not fit together"),
     "a long number": (pickle.dumps(10**5000), "a whole number of 16610 bits, expected at most 64"),
-    "a long decimal": (b"I" + b"9" * 5000 + b"\n.", "no log"),
-    "a cut array": (pickle.dumps(np.arange(9.0), 4).replace(b"C\x48", b"C\x08"), "no log"),
+    "a long decimal": (b"I" + b"9" * 5000 + b"\n.", "not a log"),
+    "a cut array": (pickle.dumps(np.arange(9.0), 4).replace(b"C\x48", b"C\x08"), "not a log"),
     "no letters": (pickle.dumps(np.array(["ab"]), 4).replace(b"a\0\0\0b\0\0\0", b"\xff" * 8), "no letters"),
 }
 
@@ -162,7 +162,7 @@ def test_entries_that_count_nothing(entry, line, tmp_path):
     ],
     ids=["deep", "long number", "date", "open", "zero", "names for names", "lists of lists"],
 )
-def test_yaml_that_is_no_configuration(text, line, tmp_path):
+def test_yaml_without_a_configuration_is_refused(text, line, tmp_path):
     (tmp_path / "evil.yml").write_text(text)
     with pytest.raises(ValueError, match=line) as raised:
         babybench.load(tmp_path / "evil.yml")

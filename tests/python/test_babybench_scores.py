@@ -45,7 +45,7 @@ def test_scores_of_the_competition_s_random_policy(root):
     assert right.episodes == 20
 
 
-def test_scores_of_logs_that_do_not_tell_all(root):
+def test_scores_of_incomplete_logs(root):
     told = scores.scores_of([EMPTY, *episodes(root, fingers=False)])
     assert (told.competition, told.right) == (pytest.approx(7 / 68), None)
 
@@ -166,7 +166,7 @@ def test_scores_on_the_command_line(tmp_path, root):
     )
 
 
-def test_logs_that_are_none(tmp_path):
+def test_files_that_are_not_logs_are_refused(tmp_path):
     done = evaluated(tmp_path)
     assert (done.returncode, done.stdout) == (1, "")
     assert "expected a log, or a folder with training.pkl" in done.stderr
@@ -212,13 +212,13 @@ def test_configurations_in_files(tmp_path):
         ),
     ],
 )
-def test_configurations_that_cannot_be_meant(given, error, line):
+def test_contradictory_configurations_are_refused(given, error, line):
     with pytest.raises(error, match=line) as raised:
         babybench.make(given)
     assert "\n" not in str(raised.value)
 
 
-def test_files_that_are_no_configurations(tmp_path):
+def test_files_without_a_configuration_are_refused(tmp_path):
     (tmp_path / "list.yml").write_text("- 1\n- 2\n")
     with pytest.raises(ValueError, match=r"list\.yml holds list, expected keys with values"):
         babybench.load(tmp_path / "list.yml")

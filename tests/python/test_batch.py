@@ -93,7 +93,7 @@ def test_same_step_keeps_the_last_block():
     np.testing.assert_array_equal(batch.final_blocks, plain.blocks)
 
 
-def test_what_a_world_gave_is_a_row_of_the_batch(batch):
+def test_a_world_s_observation_is_a_row_of_the_batch(batch):
     batch.reset(seeds=1)
     second = batch.world(1)
     second.bodies("target").position = second.bodies("right_fingers").position  # reach succeeds at once

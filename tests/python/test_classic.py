@@ -334,7 +334,7 @@ ROOM = """<mujoco>
 </mujoco>"""
 
 
-def test_an_environment_of_one_s_own(tmp_path):
+def test_a_custom_environment(tmp_path):
     (tmp_path / "room.xml").write_text(ROOM)
     env = Wave(str(tmp_path / "room.xml"), initial_qpos={"robot:left_elbow": -0.5}, frame_skip=4)
     seen, _ = env.reset(seed=1)
@@ -383,7 +383,7 @@ def test_functions_of_utils():
         utils.lock_joint(env, "robot:left_elbow", 0)
 
 
-def test_nothing_is_written_in_vain():
+def test_assignments_without_effect_are_refused():
     env = made("MIMoReach-v0").unwrapped
     env.reset(seed=1)
     with pytest.raises(ValueError, match="read-only"):
@@ -419,7 +419,7 @@ def test_seeds_repeat():
         np.testing.assert_array_equal(*(made("MIMoReach-v0").reset()[0]["observation"] for _ in range(2)))
 
 
-def test_gymnasium_knows_them():
+def test_gymnasium_registers_them():
     env = gymnasium.make("MIMoReach-v0")
     assert isinstance(env.unwrapped, classic.MIMoReachEnv)
     many = gymnasium.make_vec("MIMoReach-v0", num_envs=2, vectorization_mode="sync")
@@ -431,7 +431,7 @@ def test_gymnasium_knows_them():
     assert [str(it.message) for it in said if not any(text in str(it.message) for text in known)] == []
 
 
-def test_differences_are_told():
+def test_differences_are_listed():
     lines = classic.differences("MIMoReach-v0")
     assert any("reach/original_rules" in line for line in lines)
     with pytest.warns(classic.DifferenceWarning) as told:
@@ -479,12 +479,12 @@ def test_differences_are_told():
         ),
     ],
 )
-def test_what_cannot_be_meant(call, error, line):
+def test_contradictory_arguments(call, error, line):
     with pytest.raises(error, match=line):
         call()
 
 
-def test_copies_go_on_alike():
+def test_copies_continue_alike():
     env = classic.MIMoSelfBodyEnv()
     env.reset(seed=2)
     env.step(np.zeros(8, np.float32))

@@ -21,7 +21,7 @@ def same(one, other):
 
 
 @pytest.mark.parametrize("through", [copy.copy, copy.deepcopy, lambda it: pickle.loads(pickle.dumps(it))])
-def test_a_copied_world_goes_on_alike(reach, through):
+def test_a_copied_world_continues_alike(reach, through):
     reach.reset(seed=1)
     reach.step(ACTION)
     twin = through(reach)
@@ -82,7 +82,7 @@ def in_child(connection, world):
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork()")
-def test_after_fork_the_world_says_so(reach):
+def test_after_fork_the_world_raises_forked_error(reach):
     reach.reset(seed=1)
     near, far = multiprocessing.Pipe()
     child = multiprocessing.get_context("fork").Process(target=in_child, args=(far, reach))
@@ -98,7 +98,7 @@ def in_spawned(connection, world):
     connection.send(world.step(ACTION).reward.tolist())
 
 
-def test_worlds_travel_to_spawned_processes(reach):
+def test_worlds_are_sent_to_spawned_processes(reach):
     reach.reset(seed=1)
     near, far = multiprocessing.Pipe()
     child = multiprocessing.get_context("spawn").Process(target=in_spawned, args=(far, reach))

@@ -16,7 +16,7 @@ def test_the_body_s_names(root):
     assert make_body.PAGE.read_text() == make_body.page(), "python docs/make_body.py writes it anew"
 
 
-def test_names_for_those_who_come_from_mimo(root):
+def test_names_of_the_original_on_its_page(root):
     page = (root / "docs" / "coming-from-mimo.md").read_text()
     worlds = [
         mimo.World(name, vision=True, vision_width=8, vision_height=8, vestibular=True)
@@ -39,7 +39,7 @@ def test_names_for_those_who_come_from_mimo(root):
     assert set(re.findall(r"`(\w+)`", faces)) == set(mimo.faces())
 
 
-def test_parameters_that_documents_name_are_there(root):
+def test_parameters_in_documents_exist(root):
     parameters = set(mimo.Scene("reach").parameters)
     tasks = "|".join(sorted({name.split("/")[0] for name in parameters}))
     for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]:

@@ -84,7 +84,7 @@ def test_make_and_gymnasium_make_are_the_same():
     assert one.step(action)[1] == other.step(action)[1]
 
 
-def test_observations_stay_as_they_were():
+def test_earlier_observations_do_not_change():
     env = mimo.make("reach")
     first, _ = env.reset(seed=1)
     kept = {name: field.copy() for name, field in first.items()}
@@ -117,7 +117,7 @@ def test_episodes_are_cut_off():
     assert [env.step(np.zeros(8))[3] for _ in range(3)] == [False, False, True]
 
 
-def test_without_a_seed_chance_decides():
+def test_episodes_without_a_seed_are_random():
     starts = [mimo.make("reach").reset()[0]["proprioception/position"] for _ in range(2)]
     assert not np.array_equal(*starts)
 
@@ -154,7 +154,7 @@ def test_depth_and_the_size_of_pictures():
         mimo.make("reach", render_mode="rgb_array", width=-1)
 
 
-def test_options_of_a_reset_that_nobody_knows():
+def test_unknown_options_of_a_reset_are_refused():
     with pytest.raises(ValueError, match="options has 'speed', expected 'age'"):
         mimo.make("reach").reset(options={"speed": 3})
     with pytest.raises(ValueError, match="options has 'mask', expected 'reset_mask' or 'ages'"):
@@ -191,7 +191,7 @@ class NearBall(mimo.Task):
         return mimo.Judgement(height, terminated=height > self.goal, success=height > self.goal)
 
 
-def test_a_task_of_one_s_own():
+def test_a_custom_task():
     env = mimo.make("reach", task=NearBall(), max_steps=5)
     observation, _ = env.reset(seed=2)
     twin = mimo.World("reach", task="none")

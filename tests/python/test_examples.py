@@ -38,7 +38,7 @@ def test_example(name, root, tmp_path):
     assert run([sys.executable, root / "examples/python" / name, *EXAMPLES[name]], tmp_path)
 
 
-def test_babybench_takes_a_scale_of_0(root, tmp_path):
+def test_babybench_accepts_a_scale_of_0(root, tmp_path):
     """That is no skin: for the reward of touching there is nothing to go by."""
     example = [sys.executable, root / "examples/python/babybench.py", "selftouch", "--touch-scale", "0"]
     run([*example, "--steps", "8"], tmp_path)

@@ -39,7 +39,7 @@ def test_elements_and_their_values():
         assert world.layout.fields["places"].unit == "m"
 
 
-def test_of_which_moment_they_are():
+def test_fields_of_the_start_and_the_end_of_a_step():
     scene = room(("before", "body_position", "ball"))
     scene.add_field("now", "body_position", "ball", now=True)
     with mimo.World(scene, frame_skip=STEPS) as world:

@@ -50,7 +50,7 @@ def written(name, path, most=None):
 
 
 @pytest.mark.parametrize("name", WRITERS)
-def test_a_full_disk_leaves_what_was_there(name, tmp_path):
+def test_a_full_disk_keeps_the_old_file(name, tmp_path):
     path = tmp_path / name
     path.write_text("two years of data")
     code, said = written(name, path, 10_000)
@@ -117,7 +117,7 @@ def test_a_block_that_fails_leaves_nothing(error, tmp_path):
     assert os.listdir(tmp_path) == []
 
 
-def test_what_is_asked_before_the_work(tmp_path):
+def test_unwritable_files_are_refused_before_the_work(tmp_path):
     with pytest.raises(FileNotFoundError, match=r"there is no folder .*/nowhere"):
         require_writable(tmp_path / "nowhere" / "file")
     with pytest.raises(IsADirectoryError, match=r"it is a folder"):

@@ -204,7 +204,7 @@ def test_touch_sensors_lie_on_the_meshes(small):
     np.testing.assert_allclose(np.linalg.norm(there, axis=1), radius.max(), atol=1e-5)
 
 
-def test_what_is_changed_is_seen(small):
+def test_changes_show_in_pictures(small):
     world = small.clone()
     before = world.appearance("head")
     world.set_face("surprise")

@@ -65,7 +65,7 @@ def test_gymnasium_environments_have_an_age():
     env.step(env.action_space.sample())
 
 
-def test_what_no_infant_has_is_refused():
+def test_impossible_growth_is_refused():
     for wrong, message in (
         ({"age": 24.5}, "age is 24.5, expected 0 to 24 months"),
         ({"age": float("nan")}, "age is nan"),
@@ -153,7 +153,7 @@ def test_a_girl_stays_a_girl():
         assert batch.world(1).agents[0].mass == agent_of(age=6, sex="female").mass
 
 
-def test_what_matures_is_chosen():
+def test_maturity_selects_what_matures():
     old, young = agent_of().mass, agent_of(age=3).mass
     assert agent_of(age=3, maturity="all").mass == agent_of(age=3, maturity=mimo.Mature.BODY).mass == young
     assert agent_of(age=3, maturity=("eyes", "delays")).mass == old
@@ -178,7 +178,7 @@ def test_maturity_in_numbers():
             wrong()
 
 
-def test_nerves_of_one_s_own():
+def test_custom_nerves():
     scene = mimo.Scene("free")
     scene.add_agent(vision=False, touch=False)
     scene.set_maturity(dataclasses.replace(mimo.Maturity.at(24), vestibular_delay=0.1))
@@ -194,7 +194,7 @@ def test_nerves_of_one_s_own():
         scene.set_maturity(3)
 
 
-def test_a_part_is_late_as_told():
+def test_a_part_has_the_given_delay():
     scene = mimo.Scene("free")
     scene.add_agent(vision=False)
     scene.set_sensory_delay(None, 0.02)
@@ -210,7 +210,7 @@ def test_a_part_is_late_as_told():
         np.testing.assert_allclose(late[~hand], 0.02)
 
 
-def test_foveated_pictures_tell_where_their_pixels_lie():
+def test_foveated_pictures_have_directions():
     scene = mimo.Scene("free")
     scene.add_agent(vision_width=33, vision_height=33, vision_foveation=10)
     with mimo.World(scene) as world:
@@ -228,7 +228,7 @@ def test_foveated_pictures_tell_where_their_pixels_lie():
             world.layout.directions("touch/force")
 
 
-def test_options_of_eyes_are_off_unless_asked():
+def test_options_of_eyes_are_off_by_default():
     assert mimo.Maturity.at(3).flicker == 0
     assert not mimo.Maturity.at(3).contrast_threshold
     scene = mimo.Scene("free")

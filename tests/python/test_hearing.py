@@ -43,7 +43,7 @@ def level(pressure):
     return 10 * np.log10(np.mean(np.square(pressure, dtype=np.float64)) / 4e-10)
 
 
-def test_infants_hear_their_own_voice():
+def test_infants_hear_their_voice():
     """A cry is 82 dB at 1 m, 99 at the own ears: docs/guide/hearing.md."""
     with mimo.World(listening("free", voice=True)) as world:  # nothing is touched there
         names = list(world.action_names)

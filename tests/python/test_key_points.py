@@ -112,7 +112,7 @@ def test_noise_of_half_a_centimetre_is_a_few_degrees():
     assert np.sqrt(np.mean((columns(found, TOLD) - angles) ** 2)) < np.radians(8)
 
 
-def test_a_point_that_is_not_seen_counts_nothing():
+def test_an_unseen_point_has_no_weight():
     with infant() as world:
         _, places = movement(world)
     weights = np.ones(places.shape[:2])
@@ -127,7 +127,7 @@ def test_a_point_that_is_not_seen_counts_nothing():
     assert np.delete(found.errors, gone, axis=1)[:3].max() < 1e-4
 
 
-def test_a_camera_is_enough_where_it_sees_the_movement():
+def test_a_camera_suffices_for_visible_movements():
     camera = motion.Camera.pinhole(45, 1280, 720, (-1.5, 0.3, 0.7), (0.2, 0.1, 0.5))
     middle = camera.project(np.array([[0.2, 0.1, 0.5], [0.2, 0.1, 0.6]]))
     assert np.allclose(middle[0], (640, 360))
@@ -171,7 +171,7 @@ def test_tables_of_spreadsheets_are_read(tmp_path, table):
     assert points.values.ravel().tolist() == [0.1, 0.2, 0.3]
 
 
-def test_a_filter_takes_what_is_fast_and_leaves_what_is_slow():
+def test_a_filter_removes_fast_and_keeps_slow_movements():
     """There and back, a Butterworth filter of second order leaves 1 / (1 + (f / cutoff)^4) of a wave."""
     times = np.arange(200) / 50
     waves = {"slow": np.sin(2 * np.pi * 1 * times), "fast": np.sin(2 * np.pi * 12 * times)}
@@ -264,7 +264,7 @@ def test_bad_cameras(tmp_path, capsys, camera, message):
     assert not (tmp_path / "motion.csv").exists()
 
 
-def test_where_errors_cannot_be_written_nothing_is(tmp_path, capsys):
+def test_an_unwritable_table_of_errors_leaves_no_file(tmp_path, capsys):
     (tmp_path / "points.csv").write_text("time,nose:x,nose:y,nose:z\n0,0.1,0,0.5\n")
     files = ["--out", str(tmp_path / "motion.csv"), "--errors", str(tmp_path / "nowhere" / "errors.csv")]
     assert motion.main([str(tmp_path / "points.csv"), *files]) == 1
@@ -273,7 +273,7 @@ def test_where_errors_cannot_be_written_nothing_is(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("text", ["[" * 100000, '{"matrix": ' + "9" * 5000 + "}", "{", "[1]", ""])
-def test_files_that_are_no_cameras(text, tmp_path):
+def test_files_without_a_camera_are_refused(text, tmp_path):
     path = tmp_path / "camera.json"
     path.write_text(text)
     with pytest.raises(ValueError, match=r"is not a camera: |matrix has the shape") as raised:

@@ -28,7 +28,7 @@ def test_a_batch_has_the_layout_of_its_worlds(reach):
             assert getattr(of_batch, name) == getattr(of_world, name)
 
 
-def test_actions_and_terms_say_whose_they_are():
+def test_actions_and_terms_name_their_infant():
     with mimo.World("playdate", vision=False, touch=False) as two:
         for number, infant in enumerate(two.agents):
             assert {action.agent for action in two.layout.actions[infant.actions]} == {number}
@@ -41,7 +41,7 @@ def test_actions_and_terms_say_whose_they_are():
         assert arm.action_low.tolist() == [action.low for action in arm.layout.actions]
 
 
-def test_fields_say_when_they_are_true(reach):
+def test_fields_have_times(reach):
     fields = reach.layout.fields
     assert {field.period for field in fields.values()} == {STEP}
     now, before = fields["proprioception/position"], fields["proprioception/torque"]
@@ -55,7 +55,7 @@ def test_fields_say_when_they_are_true(reach):
         assert late.layout.fields["proprioception/torque"].end == pytest.approx(-0.03 - PHYSICS_STEP)
 
 
-def test_elements_say_how_late_they_come(reach):
+def test_elements_have_delays(reach):
     assert not reach.layout.delays("proprioception/position").any()
     with mimo.World("reach", age=0, maturity="delays", vision=False, vestibular=True) as young:
         infant, layout = young.agents[0], young.layout
@@ -102,14 +102,14 @@ def test_receptors_lie_on_the_skin():
     np.testing.assert_allclose(np.cross(normal, first), second, atol=1e-9)
 
 
-def test_what_is_not_of_skin_has_no_receptors(reach):
+def test_only_skin_has_receptors(reach):
     assert reach.layout.fields["proprioception/position"].receptors == 0
     assert [len(part) for part in reach.layout.receptors("proprioception/position")] == [0] * 4
     with pytest.raises(mimo.NotFoundError, match="proprioception/position"):
         reach.layout.receptors("proprioception/positions")
 
 
-def test_a_layout_outlives_what_it_describes():
+def test_a_layout_outlives_its_world():
     with mimo.World(with_skin()) as world:
         layout = world.layout
     assert layout.fields["touch/force"].unit == "N"
@@ -117,7 +117,7 @@ def test_a_layout_outlives_what_it_describes():
         layout.receptors("touch/force")
 
 
-def test_versions_and_what_the_library_knows(root):
+def test_versions_and_supported_names(root):
     header = (root / "include/mimo/status.h").read_text()
     declared = [int(re.search(rf"#define MIMO_{name} (\d+)", header).group(1)) for name in ("API_MAJOR", "API_MINOR")]
     assert list(mimo.api_version()) == declared

@@ -62,7 +62,7 @@ def interrupted_send(monkeypatch):
 
 
 @pytest.mark.usefixtures("interrupted_send")
-def test_what_an_interrupted_send_writes_to_is_kept():
+def test_memory_of_an_interrupted_send_is_kept():
     batch, twin = mimo.Batch("reach", 4), mimo.Batch("reach", 4)
     actions = np.linspace(-1, 1, 32, dtype=np.float32).reshape(4, 8)
     for each in (batch, twin):
@@ -202,7 +202,7 @@ def test_a_closed_object_says_so():
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
-def test_a_forked_child_leaves_its_parent_s_worlds_alone():
+def test_a_forked_child_does_not_touch_its_parent_s_worlds():
     assert "child 0" in run(
         """
         import os, mimo

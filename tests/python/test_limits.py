@@ -79,7 +79,7 @@ def test_motor_noise_is_the_seed_s_and_survives_copies():
         assert np.array_equal(controls(pickle.loads(pickle.dumps(world))), first)
 
 
-def test_a_state_tells_what_it_lacks():
+def test_loading_reports_what_the_state_lacks():
     with infant() as perfect, infant(delay=0.05) as late, infant(motors={"delay": 0.02}) as slow:
         assert late.load(perfect.save()) == mimo.LoadReport(("delay/proprioception/position",), ())
         assert perfect.load(late.save()) == mimo.LoadReport((), ("delay/proprioception/position",))

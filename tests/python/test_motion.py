@@ -15,7 +15,7 @@ def world():
         yield world
 
 
-def test_who_is_held_still_is_held_with_its_weight(world):
+def test_a_held_infant_is_held_with_its_weight(world):
     """At the third degree of freedom of the free joint, which is the first joint."""
     world.reset(seed=0)
     still = world.get(Quantity.JOINT_POSITION).ravel()
@@ -26,7 +26,7 @@ def test_who_is_held_still_is_held_with_its_weight(world):
     assert np.linalg.norm(observation["vestibular/acceleration"]) == pytest.approx(9.81, abs=1e-4)
 
 
-def test_joints_are_where_they_were_told_to_be(world):
+def test_joints_reach_the_set_positions(world):
     """To the bit; and bodies where joints of that angle put them, as when the angle is set."""
     world.reset(seed=0)
     elbow, hand = world.find(Kind.JOINT, "robot:left_elbow"), world.find(Kind.BODY, "left_hand")

@@ -100,7 +100,7 @@ OWN_RANGES = (
         (" ".join(["1 0"] * 47), "goes from 1 to 0"),
     ],
 )
-def test_ranges_that_do_not_fit_the_body_are_refused(numbers, complaint):
+def test_unsuitable_ranges_are_refused(numbers, complaint):
     scene = mimo.Scene(xml=OWN_RANGES.format(numbers))
     scene.add_agent(body="scene", actuation=mimo.Actuation.MUSCLE, vision=False)
     with pytest.raises(mimo.ModelError, match=complaint):

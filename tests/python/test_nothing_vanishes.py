@@ -34,7 +34,7 @@ def everything():
 
 
 @pytest.mark.parametrize("name", everything())
-def test_an_attribute_that_is_not_there_is_refused(name):
+def test_an_unknown_attribute_is_refused(name):
     it = everything()[name]
     before = set(dir(it))
     for attribute in ("gravty", "masses", "anything"):
@@ -59,12 +59,12 @@ def test_an_attribute_that_is_not_there_is_refused(name):
         ("agent", "mass"),
     ],
 )
-def test_what_cannot_be_assigned_is_refused(name, attribute):
+def test_impossible_assignments_are_refused(name, attribute):
     with pytest.raises(AttributeError):
         setattr(everything()[name], attribute, 1)
 
 
-def test_the_message_names_what_was_meant():
+def test_the_message_suggests_the_nearest_name():
     world = mimo.World("reach")
     with pytest.raises(AttributeError, match="a World has no 'gravty' that can be assigned; did you mean 'gravity'"):
         world.gravty = [0, 0, 0]
@@ -120,7 +120,7 @@ def arrays(world):
 
 
 @pytest.mark.parametrize("kind", ["world", "batch"])
-def test_arrays_that_are_copies_cannot_be_written_to(kind):
+def test_copies_are_read_only(kind):
     world = mimo.World("reach") if kind == "world" else mimo.Batch("reach", 2)
     world.reset(1)
     world.step(np.zeros((8,) if kind == "world" else (2, 8)))
@@ -156,7 +156,7 @@ def test_changes_by_their_attribute_count():
     assert elbow.position == [-0.3]
 
 
-def test_what_is_computed_of_them_is_ordinary():
+def test_arrays_computed_from_copies_are_ordinary():
     position = mimo.World("reach").bodies().position
     assert isinstance(position, Reading)
     for computed in (
@@ -259,7 +259,7 @@ def random_of(envs):
     return [envs.batch.world(i).random(2).tolist() for i in range(envs.num_envs)]
 
 
-def test_some_seeds_of_a_vector_may_be_none():
+def test_some_seeds_may_be_none():
     envs, twin = mimo.make_vec("reach", num_envs=3), mimo.make_vec("reach", num_envs=3)
     envs.reset(seed=[1, 2, 3])
     twin.reset(seed=[1, 2, 3])
@@ -282,7 +282,7 @@ def test_some_seeds_of_a_vector_may_be_none():
         envs.reset(seed=[5, None, -1])
 
 
-def test_worlds_without_a_seed_begin_from_chance():
+def test_worlds_without_a_seed_start_randomly():
     drawn = []
     for _ in range(2):
         envs = mimo.make_vec("reach", num_envs=2)
@@ -373,7 +373,7 @@ def worlds():
 
 
 @pytest.mark.parametrize("case", WORDS)
-def test_what_is_said(case, worlds):
+def test_messages_of_wrong_calls(case, worlds):
     call, kind, line = WORDS[case]
     with pytest.raises(kind, match=line) as raised:
         call(*worlds)
@@ -381,7 +381,7 @@ def test_what_is_said(case, worlds):
 
 
 @pytest.mark.parametrize("make", [mimo.make, mimo.make_vec])
-def test_render_without_a_mode_says_so(make):
+def test_render_without_a_mode_warns(make):
     env = make("reach")
     with pytest.warns(
         UserWarning, match="draws nothing: this .* was made without render_mode; give it render_mode='rgb_array'"
@@ -406,7 +406,7 @@ EXTRAS = {
 
 
 @pytest.mark.parametrize("used", EXTRAS)
-def test_an_extra_that_is_missing_is_named(used):
+def test_a_missing_extra_is_named(used):
     module, extra = EXTRAS[used]
     program = f"""
         import sys

@@ -94,7 +94,7 @@ def test_nerves_by_age():
         page.says(f"\n| {row} |" + " {} |" * len(MONTHS), *values)
 
 
-def test_what_pictures_hold():
+def test_contents_of_pictures():
     page = Page("guide/maturity.md")
     finest = [pixels / 2 / (2 * np.tan(np.deg2rad(30))) * np.deg2rad(1) for pixels in (64, 256)]
     page.says("64 pixels over 60 degrees show at most {} cycles per degree", finest[0])
@@ -218,7 +218,7 @@ def test_parameters_of_tasks():
     page.says("Each joint starts up to {} rad off the stored pose", parameters["standup/pose_noise"])
 
 
-def test_motors_of_those_who_come_from_mimo():
+def test_motors_of_the_original():
     page = Page("coming-from-mimo.md")
     for name, scene, options in (
         ("MIMoReach", "reach", {}),

@@ -48,7 +48,7 @@ def off(angle, told):
     return np.rad2deg(np.arccos(np.clip(estimate @ [0, np.sin(angle), np.cos(angle)], -1, 1)))
 
 
-def test_a_yaw_that_goes_on():
+def test_a_lasting_yaw():
     told = [told["canals"][1, 0] - 90 for _, told in turning("yaw", [np.deg2rad(60)] * 3421)]
     ticks = [1, 200, 1140, 2280, 3420]  # 0 is the jerk of the start
     Page("guide/balance.md").says("\n| Hz | {} | {} | {} | {} | {} |", *(told[tick] for tick in ticks))
@@ -69,7 +69,7 @@ def test_rolling_on_and_on():
     Page("guide/balance.md").says("| rolling constantly at 60 degrees per second | {} degrees off |", off(*last))
 
 
-def test_a_tilt_that_stays():
+def test_a_lasting_tilt():
     scene, told = head_of_a_model(), []
     with mimo.World(scene, frame_skip=1) as world:
         world.reset(seed=0)
@@ -84,7 +84,7 @@ def test_a_tilt_that_stays():
     )
 
 
-def test_a_force_that_stays():
+def test_a_lasting_force():
     tilts = []
     with mimo.World(head_of_a_model(), frame_skip=1) as world:
         world.reset(seed=0)
@@ -116,7 +116,7 @@ def test_how_maculae_follow():
     )
 
 
-def test_balance_in_tests():
+def test_the_guide_s_numbers_of_balance():
     page = Page("guide/balance.md")
     page.tested("| left anterior | {} | {} | {} |", LABYRINTH)
     page.tested("| left horizontal | {} | {} | {} |", LABYRINTH)
@@ -158,7 +158,7 @@ def test_how_loud_a_cry_is():
     page.tested("At the infant's own ears it is {} dB louder than at 1 m", "unit/hearing/ears_test.cpp")
 
 
-def test_hearing_in_tests():
+def test_the_guide_s_numbers_of_hearing():
     page, ears = Page("guide/hearing.md"), "unit/hearing/ears_test.cpp"
     page.tested("delayed by its distance over {} m/s", ears)
     page.tested("at 250, 500 and 1000 Hz, 2 m away, all azimuths | within {} µs", ears)
@@ -185,7 +185,7 @@ def test_sound_in_steps():
         Page("guide/hearing.md").says(claim, samples / world.frame_skip, samples)
 
 
-def test_skin_in_tests():
+def test_the_guide_s_numbers_of_skin():
     page = Page("guide/skin.md")
     page.tested("| SA1, hold of 1 mm | {} | {} |", SKIN)
     page.tested("| SA1, ramp to 1 mm at {}, {}, {}, {} mm/s | {}, {}, {}, {} |", SKIN)
@@ -209,7 +209,7 @@ def test_afferents_of_a_person():
     page.says("An eyeball has {}, as many", eye)
 
 
-def test_muscles_in_tests():
+def test_the_guide_s_numbers_of_muscles():
     page = Page("guide/proprioception.md")
     page.tested("| 0.11 | {}, {} | {}, 101.4 | {}, {} |", MUSCLES)
     page.tested("| 0.66 | {}, {} | {}, 101.8 | {}, {} |", MUSCLES)

@@ -37,7 +37,7 @@ def test_every_library_is_inside_or_part_of_any_linux():
 
 
 @installed
-def test_libraries_are_looked_for_beside_each_other_only():
+def test_libraries_are_searched_beside_each_other_only():
     for name in ("libmimo.so.1", "mimo"):
         dynamic = subprocess.run(["readelf", "-d", NATIVE / name], capture_output=True, text=True, check=True).stdout
         assert re.findall(r"\(R(?:UN)?PATH\).*\[(.*)\]", dynamic) == ["$ORIGIN"], name
@@ -82,7 +82,7 @@ NOT_INSIDE = {"Threads", "GTest", "ZLIB"}  # not inside the wheel, or every syst
 
 @installed
 @pytest.mark.skipif(not Path("/etc/debian_version").exists(), reason="licences are taken from Debian's packages")
-def test_licences_of_all_that_is_inside_are_inside(root):
+def test_the_wheel_holds_all_licences(root):
     (folder,) = NATIVE.parent.parent.glob("mimo-*.dist-info/licenses")
     assert (folder / "LICENSE").read_bytes() == (root / "LICENSE").read_bytes()
     linked = {file.name.split(".so")[0] for file in NATIVE.glob("*.so*")} - {"libmimo"}
@@ -123,7 +123,7 @@ def test_a_missing_library_is_named(tmp_path):
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the name is Linux's; ./dev test --windows has its own")
-def test_another_mujoco_in_place_of_ours_is_refused(tmp_path):
+def test_another_mujoco_beside_the_library_is_refused(tmp_path):
     """A library that lacks what libmimo calls, as other versions do: here a copy of libmimo."""
     for name in (library_path().name, f"libmujoco.so.{mimo.mujoco_version()}"):
         shutil.copy(library_path(), tmp_path / name)
@@ -164,12 +164,12 @@ def test_a_program_with_mujoco_gets_the_library_for_it(tmp_path):
 
 @installed
 @pytest.mark.parametrize(("mujoco", "imports"), [("3.3.7", "mujoco, mimo"), ("4.0.1", "mimo, mujoco")])
-def test_others_get_the_library_inside(tmp_path, mujoco, imports):
+def test_other_programs_use_the_library_inside_the_package(tmp_path, mujoco, imports):
     taken, complaints = library_beside(tmp_path, mujoco, imports)
     assert (Path(taken).parent, complaints) == (NATIVE, "")
 
 
-def test_what_fits_another_mujoco_is_said(monkeypatch):
+def test_errors_name_the_library_for_another_mujoco(monkeypatch):
     model = type("MjModel", (), {"__module__": "mujoco", "_address": 64})()
     for version, number, advice in (
         ("4.0.1", 4000001, r"pip install mimo\[mujoco\]"),

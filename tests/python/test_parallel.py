@@ -66,7 +66,7 @@ class Higher(mimo.Task):
         }
 
 
-def test_a_task_of_one_s_own():
+def test_a_custom_task():
     task = Higher()
     env = mimo.ParallelEnv(two(), task=task, max_steps=10)
     parallel_api_test(env, num_cycles=30)

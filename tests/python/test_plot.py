@@ -136,7 +136,7 @@ def test_a_recording_at_a_glance(run, tmp_path, monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("ending", ["png", "pdf", "svg"])
-def test_a_full_disk_leaves_the_picture_that_was_there(run, tmp_path, ending):
+def test_a_full_disk_keeps_the_old_picture(run, tmp_path, ending):
     path = tmp_path / f"run.{ending}"
     path.write_text("of yesterday")
 

@@ -30,7 +30,7 @@ def test_names_numbers_and_all(world):
         world.get(Quantity.BODY_MASS, dtype=np.int64)
 
 
-def test_now_is_after_the_step(world):
+def test_now_reads_the_end_of_the_step(world):
     world.step()
     last, now = world.get(Quantity.BODY_POSITION, "ball"), world.get(Quantity.BODY_POSITION, "ball", now=True)
     assert now[0, 2] == pytest.approx(last[0, 2] - 9.81 * 0.005 * 20 * 0.005)
@@ -40,7 +40,7 @@ def test_now_is_after_the_step(world):
         world.get(Quantity.CONTACT_FORCE, now=True)
 
 
-def test_what_is_set_is_kept_by_resets_and_states(world):
+def test_set_values_outlive_resets_and_states(world):
     world.bodies("ball").mass = 0.5
     world.geoms("ball").size = [0.2, 0, 0]
     world.geoms("ball").color = [1, 0, 0, 1]
@@ -85,7 +85,7 @@ def test_a_site_moves_with_its_body(world):
         world.sites().velocity = 0
 
 
-def test_goals_are_what_rewards_are_of(reach):
+def test_rewards_follow_from_goals(reach):
     reach.reset(seed=2)
     reward = reach.step(np.ones(8)).reward[0]
     goal, achieved = reach.get(Quantity.AGENT_GOAL), reach.get("agent_achieved", [0])
@@ -119,7 +119,7 @@ def test_a_batch_of_masses_is_as_many_single_worlds():
                 for _ in range(10):
                     single.step()
                 assert np.array_equal(single.joints().position[0], position)
-        with pytest.raises(ValueError, match="MIMO_CONTACT_[A-Z]*, of which worlds have different numbers"):
+        with pytest.raises(ValueError, match=r"MIMO_CONTACT_[A-Z]*, of which worlds have different numbers"):
             batch.get(Quantity.CONTACT_FORCE)
 
 

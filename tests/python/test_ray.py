@@ -77,7 +77,7 @@ def kill(cluster, node, actors):
 
 
 @pytest.mark.parametrize("options", [{"flatten": True, "kept_every": 7}, {"autoreset_mode": "SameStep"}])
-def test_worlds_go_on_where_they_were_when_a_node_is_lost(options, cluster, other):
+def test_worlds_continue_when_a_node_is_lost(options, cluster, other):
     plain = {name: value for name, value in options.items() if name != "kept_every"}
     here = mimo.make_vec("reach", 5, max_steps=20, **plain)
     there = mimo.ray.make_vec("reach", 5, actors=3, max_steps=20, **options)
@@ -105,7 +105,7 @@ def test_goals_and_ages(cluster, other):
     envs.close()
 
 
-def test_what_cannot_be_is_refused_in_one_line(cluster, other, monkeypatch):
+def test_errors_are_one_line(cluster, other, monkeypatch):
     for options, message in (
         ({"scene": "reech"}, "scene is 'reech', expected one of .*; did you mean 'reach'"),
         ({"scene": "CartPole-v1"}, "scene is 'CartPole-v1', expected one of"),
@@ -145,12 +145,12 @@ def test_what_cannot_be_is_refused_in_one_line(cluster, other, monkeypatch):
         ({"flatten": False}, "flatten is False"),
     ],
 )
-def test_configurations_that_cannot_be(options, message):
+def test_impossible_configurations_are_refused(options, message):
     with pytest.raises(ValueError, match=message):
         mimo.ray.configure(rllib.PPOConfig(), "reach", num_envs=8, **options)
 
 
-def test_a_cluster_that_is_not_there(monkeypatch):
+def test_a_missing_cluster_is_refused(monkeypatch):
     monkeypatch.setattr(ray, "is_initialized", lambda: False)
     with pytest.raises(ConnectionError, match=r"address is '127.0.0.1:1': no Ray cluster is there"):
         mimo.ray.connect("127.0.0.1:1")
@@ -188,7 +188,7 @@ def weights(algorithm):
     return np.concatenate([np.ravel(value) for value in algorithm.get_module().get_state().values()])
 
 
-def test_what_is_learned_does_not_depend_on_actors_nor_on_their_loss(cluster, other):
+def test_learning_does_not_depend_on_actors_or_their_loss(cluster, other):
     learned = []
     for actors in (0, 3):
         algorithm = built(actors=actors)
@@ -245,7 +245,7 @@ def test_the_example_on_two_nodes_of_which_one_is_lost(root, tmp_path):
     assert int(lines[-1].split()[2]) >= 640
 
 
-def test_the_example_goes_on_where_it_was(root, tmp_path):
+def test_the_example_resumes(root, tmp_path):
     arguments = ["--local-nodes", "1", "--steps", "2560"]
     process = cluster_py(root, tmp_path, *arguments)
     for line in process.stdout:
@@ -262,7 +262,7 @@ def test_the_example_goes_on_where_it_was(root, tmp_path):
     assert steps[-1] >= 2560
 
 
-def test_the_example_says_in_one_line_what_is_wrong(root, tmp_path):
+def test_the_example_reports_errors_in_one_line(root, tmp_path):
     for arguments, message in (
         (["--task", "reech"], "scene is 'reech', expected one of"),
         (["--address", "127.0.0.1:1"], "address is '127.0.0.1:1': no Ray cluster is there"),

@@ -161,7 +161,7 @@ def run(world, seconds):
 
 # TouchSim's SA1 while a pin is held at 0.5, 1 and 1.5 mm: 21, 44 and 68 spikes/s.
 @pytest.mark.parametrize(("depth", "rate"), [(0.5, 21), (1.0, 44), (1.5, 68)])
-def test_a_held_press_is_told_by_sa1_alone(depth, rate):
+def test_only_sa1_responds_to_a_held_press(depth, rate):
     newtons = HALF * depth / (3 - depth)
     world, sensor = probed(newtons, gap=0.001)
     assert not world.observation["touch/sa1"].any()
@@ -247,7 +247,7 @@ def canals(world):
 
 # About a canal's own axis: 26.18 at the start and 21.98, 9.64, 3.55, 1.30 spikes/s after 1, 5.7, 11.4 and 17.1 s, of
 # which each canal has its share of the yaw.
-def test_a_yaw_that_goes_on_fades():
+def test_a_lasting_yaw_fades():
     share = np.array([-0.180, 0.948, -0.263, 0.173, -0.944, 0.278])
     world = stiff(untouched())
     root = next(name for name in world.joints().names if not name.startswith("robot:"))
@@ -276,7 +276,7 @@ def test_a_yaw_that_goes_on_fades():
 
 # Regular afferents of the static gain 46.2 (spikes/s)/g. Lying on the right ear, up is to the left: the left utricle's
 # outward afferents gain that, the right one's lose it, and the saccules' upward ones lose what they have of it upright.
-def test_a_tilt_of_90_degrees_is_told_by_the_otoliths():
+def test_the_otoliths_respond_to_a_tilt_of_90_degrees():
     told = {}
     for name, orientation in (
         ("up", (1, 0, 0, 0)),
@@ -323,7 +323,7 @@ def test_held_muscles_tell_their_length():
 
 # 40 Hz ln(1 + 20 f) at half of the largest force is 95.9 Hz; a step of it begins at 1.7 of that, is at 1.186 after 1 s
 # and at 1.049 after 5.
-def test_a_motor_that_pulls_is_told_by_the_tendon_organ():
+def test_the_tendon_organ_responds_to_a_pulling_motor():
     with stiff(untouched("mimo_location")) as world:
         assert elbow(world, MUSCLES[2]).tolist() == [0, 0]
         number = next(i for i, name in enumerate(world.action_names) if "right_elbow" in name)

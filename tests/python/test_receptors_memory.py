@@ -55,7 +55,7 @@ def usual():
         return begun, told(world, STEPS, looks=True)
 
 
-def test_every_nerve_has_something_to_tell(usual):
+def test_every_nerve_changes_its_rate(usual):
     begun, now = usual
     for name in NERVES:
         assert not np.array_equal(begun[name], now[name]), name
@@ -68,7 +68,7 @@ def test_neither_frame_skip_nor_looks_matter(frame_skip, looks, usual):
         assert_same(told(world, STEPS, looks), usual[1])
 
 
-def test_a_state_goes_on_as_the_world_did(usual):
+def test_a_loaded_state_continues_as_the_world_did(usual):
     with mimo.World(scene(), frame_skip=1) as world, mimo.World(scene(), frame_skip=1) as other:
         world.reset(seed=3)
         other.reset(seed=4)
@@ -82,7 +82,7 @@ def test_a_state_goes_on_as_the_world_did(usual):
             assert_same(told(third, 20, looks=False), told(other, 20, looks=True))
 
 
-def test_a_new_episode_starts_rested(usual):
+def test_receptors_start_an_episode_at_rest(usual):
     begun, _ = usual
     with mimo.World(scene(), frame_skip=1) as world:
         world.reset(seed=5)

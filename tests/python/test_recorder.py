@@ -23,7 +23,7 @@ def move(world, steps):
         world.step(generator.uniform(-1, 1, len(world.layout.actions)))
 
 
-def test_a_program_is_played_again(run):
+def test_a_recorded_program_is_replayed(run):
     with mimo.World("benchmark", vision=False, touch_scale=0.5) as world:
         world.reset(3)
         with mimo.Recorder(
@@ -57,7 +57,7 @@ def test_a_program_is_played_again(run):
             recording.read("wings", np.float32)
 
 
-def test_a_recording_stays_unless_asked(run):
+def test_a_recording_is_kept_unless_replaced(run):
     with mimo.World("benchmark", vision=False, touch=False) as world:
         with mimo.Recorder(world, run):
             move(world, 3)
@@ -103,7 +103,7 @@ def test_hearing_is_recorded(run):
     assert abs(kept).max() > 0.05
 
 
-def test_what_is_refused(run, tmp_path):
+def test_refused_values(run, tmp_path):
     with mimo.World("benchmark", vision=False, touch=False) as world, mimo.World("reach", vision=False) as other:
         with pytest.raises(mimo.NotFoundError, match='"wings"'):
             mimo.Recorder(world, tmp_path / "new.h5", keep="wings")

@@ -21,7 +21,7 @@ ROOM = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><light pos="0 0 3
         ["--sex", "female", "--percentile", "80", "--touch", "0.5", "--effects", "none", "--senses", "hearing"],
     ],
 )
-def test_a_run_is_played_again(options, tmp_path):
+def test_a_recording_is_replayed(options, tmp_path):
     run = record(tmp_path / "run.h5", "--seconds", "1.3", "--seed", "7", *options)
     table = table_of(run, "joints/position")
     with mimo.Recording(run) as recording, recording.world(eyes=0) as world:
@@ -37,7 +37,7 @@ def test_a_run_is_played_again(options, tmp_path):
             recording.move_to(world, 131)
 
 
-def test_what_is_felt_and_heard_is_what_was_recorded(tmp_path):
+def test_touch_and_sound_are_those_of_the_recording(tmp_path):
     h5py = pytest.importorskip("h5py", reason="h5py is not installed")
     options = ["--scene", "showroom", "--senses", "hearing", "--seconds", "0.6", "--keep", "touch,hearing"]
     run = record(tmp_path / "run.h5", *options)
@@ -57,7 +57,7 @@ def own_scene():
     return scene
 
 
-def test_a_program_s_own_scene_is_made_anew(tmp_path):
+def test_the_scene_of_a_program_is_rebuilt(tmp_path):
     path = tmp_path / "own.h5"
     generator = np.random.default_rng(4)
     with mimo.World(own_scene(), frame_skip=3) as world, recorder_or_skip(world, path, keep="all"):
@@ -74,7 +74,7 @@ def test_a_program_s_own_scene_is_made_anew(tmp_path):
             assert recording.play(world).identical  # fields, too
 
 
-def test_a_recording_that_does_not_tell_its_world(tmp_path):
+def test_a_recording_without_a_configuration_needs_a_scene(tmp_path):
     path = tmp_path / "bare.h5"
     with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, configuration=""):
         world.step(np.full(len(world.layout.actions), 0.3))
@@ -105,7 +105,7 @@ class Quiet(mimo.WorldTask):
         ('{"age": ["old"]}', "could not convert string to float: 'old'"),
     ],
 )
-def test_a_configuration_that_is_none(configuration, told, tmp_path):
+def test_a_file_without_a_configuration_is_refused(configuration, told, tmp_path):
     path = tmp_path / "run.h5"
     with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, configuration=configuration):
         pass
@@ -113,7 +113,7 @@ def test_a_configuration_that_is_none(configuration, told, tmp_path):
         recording.world()
 
 
-def test_a_task_of_one_s_own_is_not_kept(tmp_path):
+def test_a_custom_task_is_not_kept(tmp_path):
     path = tmp_path / "run.h5"
     scene = own_scene()
     scene.set_task(Quiet())
@@ -123,7 +123,7 @@ def test_a_task_of_one_s_own_is_not_kept(tmp_path):
         assert recording.configuration == ""
 
 
-def test_what_is_no_recording(tmp_path):
+def test_files_that_are_not_recordings(tmp_path):
     h5py = pytest.importorskip("h5py", reason="h5py is not installed")
     with pytest.raises(mimo.NotFoundError, match=re.escape(f"cannot read {tmp_path}/none.h5: there is no such file")):
         mimo.Recording(tmp_path / "none.h5")
@@ -153,7 +153,7 @@ def test_what_is_no_recording(tmp_path):
         ("{", "cannot be made anew"),
     ],
 )
-def test_configurations_that_say_nothing(configuration, line):
+def test_empty_configurations(configuration, line):
     with pytest.raises(ValueError, match=line) as raised:
         recorded_world("run.h5", configuration, 0, None)
     assert str(raised.value).startswith("run.h5 has a configuration that cannot be made anew: ")

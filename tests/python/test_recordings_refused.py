@@ -168,7 +168,7 @@ def test_a_field_is_read_where_it_can_be(changed, whole, tmp_path):
             recording.read(name, np.float32)
 
 
-def test_a_world_that_is_recorded_does_not_wait_for_files_of_others(whole, tmp_path):
+def test_a_recorded_world_does_not_wait_for_other_files(whole, tmp_path):
     """Its steps go on while another thread opens and reads files, of which some are damaged."""
     damaged = bytearray(whole.read_bytes())
     damaged[20] ^= 1  # of the superblock
@@ -198,7 +198,7 @@ def test_a_world_that_is_recorded_does_not_wait_for_files_of_others(whole, tmp_p
         np.testing.assert_allclose(recording.read("time", np.float64).ravel(), 0.01 * np.arange(1, steps + 1))
 
 
-def test_a_pipe_is_no_recording(tmp_path):
+def test_a_pipe_is_refused_as_a_recording(tmp_path):
     os.mkfifo(tmp_path / "pipe")
     with pytest.raises(mimo.FileError, match="no plain file"):
         mimo.Recording(tmp_path / "pipe")

@@ -18,7 +18,7 @@ def looking_aside(**options):
     return world
 
 
-def test_none_unless_asked_for():
+def test_reflexes_are_off_by_default():
     with mimo.World("free", age=1, **BLIND) as world:
         assert not [name for name in world.layout.fields if name.startswith("reflex")]
 
@@ -26,7 +26,7 @@ def test_none_unless_asked_for():
 @pytest.mark.parametrize(
     "wanted", ["moro", ["moro"], mimo.Reflex.MORO, [mimo.Reflex.MORO]], ids=["word", "words", "bit", "bits"]
 )
-def test_asked_for_by_name_or_bit(wanted):
+def test_reflexes_by_name_or_bit(wanted):
     with mimo.World("free", reflexes=wanted, **BLIND) as world:
         field = world.layout.fields["reflex/activation"]
         assert field.shape == (1, 2)
@@ -72,7 +72,7 @@ def test_over_at_18_months():
             assert not world.step().observation["reflex/activation"].any()
 
 
-def test_as_old_as_a_reset_says():
+def test_a_reset_sets_the_age():
     with looking_aside() as world:
         for age, strength in (0, 1), (5.5, 0.5), (7, 0), (1, 1):
             world.reset(age=age)

@@ -35,7 +35,7 @@ def test_checker(scene):
     assert [str(w.message) for w in said if EXPLAINED not in str(w.message)] == []
 
 
-def test_environments_that_are_there_already():
+def test_existing_environments_are_taken():
     envs = mimo.make_vec("reach", 2, max_steps=2, autoreset_mode="SameStep")
     worlds, own = SB3VecEnv(envs), SB3VecEnv("reach", 2, max_steps=2)
     assert worlds.envs is envs
@@ -189,14 +189,14 @@ def test_train_script_keeps_scales_and_tells_targets(root, tmp_path, train):
     assert sum(int(count) for count in re.findall(r"^ppo, \w+: \d of (\d)$", told, flags=re.MULTILINE)) == 3
 
 
-def test_lasting_noise_is_refused_where_there_is_none(train, capsys):
+def test_lasting_noise_is_refused_for_libraries_without_it(train, capsys):
     with pytest.raises(SystemExit):
         train("--task reach --algorithm ppo --library sbx --noise-steps 4")
     assert "--noise-steps is 4, expected 0 with --library sbx" in capsys.readouterr().err
 
 
 @needs_sbx
-def test_figure4_trains_what_is_left(root, tmp_path):
+def test_figure4_trains_the_missing_runs(root, tmp_path):
     figure = [sys.executable, root / "examples/python/figure4.py", "--seeds", "1", "--out", tmp_path, "--steps", "64"]
     figure += FEW.split()
     both = said(*figure, "--task", "reach")
@@ -204,7 +204,7 @@ def test_figure4_trains_what_is_left(root, tmp_path):
     assert said(*figure, "--task", "reach") == ""  # all is done
 
 
-def test_where_training_spends_its_time(root):
+def test_times_of_a_training(root):
     profile = [sys.executable, root / "examples/python/profile_training.py", "--task", "reach", "--algorithm", "ppo"]
     told = said(*profile, "--steps", 64, "--worlds", 2, "--rollout", 32, "--batch", 16)
     shares = [int(share) for share in re.findall(r" (\d+) %\n", told)]
@@ -254,7 +254,7 @@ def test_a_task_s_infos_reach_sb3():
     assert infos[0]["terminal_observation"]["lift/hands"].shape == (2, 3)
 
 
-def test_the_checker_likes_a_goal_view():
+def test_the_checker_accepts_a_goal_view():
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         check_env(mimo.make("reach", task=ReachUp(), flatten=True, normalize_actions=True))

@@ -26,13 +26,13 @@ def furnished():
 
 
 @pytest.mark.parametrize("start", ["name", "file", "xml"])
-def test_what_starts_from_nothing(start):
+def test_empty_starts_are_refused(start):
     """For C "" is nothing, and nothing is an empty world."""
     with pytest.raises(ValueError, match=f"^{start} is '', expected"):
         mimo.Scene(**{start: ""})
 
 
-def test_nobody_does_a_task(caplog):
+def test_a_task_needs_infants(caplog):
     """A task needs somebody; a room may be empty, which is told."""
     with pytest.raises(mimo.ArgumentError, match=r'task "reach" is for agents.*add_agents adds its infants'):
         mimo.World(mimo.Scene("reach"))
@@ -63,7 +63,7 @@ def test_models_from_files(tmp_path, monkeypatch):
     assert 'name="cup/lid"' in scene.copy().xml  # a path stays what it was
 
 
-def test_saved_scenes_are_the_same_without_us(tmp_path):
+def test_saved_scenes_are_the_same_in_mujoco(tmp_path):
     scene = furnished()
     scene.save(tmp_path / "saved")
     again = mimo.World(mimo.Scene(file=tmp_path / "saved" / "scene.xml"), renderer="none")
@@ -74,7 +74,7 @@ def test_saved_scenes_are_the_same_without_us(tmp_path):
         scene.save(3)
 
 
-def test_without_a_place_they_stand(caplog):
+def test_infants_without_a_place_stand(caplog):
     floor = '<mujoco><worldbody><geom name="floor" type="plane" size="5 5 1"/></worldbody></mujoco>'
     scene = mimo.Scene(xml=floor)
     scene.add_agent(vision=0)
@@ -89,7 +89,7 @@ def test_without_a_place_they_stand(caplog):
 
 
 @pytest.mark.skipif(mimo.mujoco_version().startswith("4"), reason="which knows the attribute")
-def test_what_is_wrong_with_a_document_is_told_once(caplog):
+def test_an_error_of_a_document_is_logged_once(caplog):
     scene = mimo.Scene(xml="<mujoco><option ls_iterations='9'/><worldbody><geom size='.1'/></worldbody></mujoco>")
     mimo.World(scene, renderer="none")
     mimo.World(scene.copy(), renderer="none")
@@ -99,7 +99,7 @@ def test_what_is_wrong_with_a_document_is_told_once(caplog):
     caplog.clear()  # expected
 
 
-def test_long_compilations_are_told_and_limited(caplog):
+def test_long_compilations_are_logged_and_limited(caplog):
     many = mimo.Scene(xml="<mujoco><worldbody>" + "<site/>" * 25000 + "</worldbody></mujoco>")
     mimo.World(many, renderer="none")  # 25,000^2 comparisons, of 2 ns each
     assert [record.levelname for record in caplog.records] == ["WARNING"]

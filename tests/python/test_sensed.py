@@ -59,7 +59,7 @@ def test_an_environment_s_world_shows_what_it_returned():
     assert observation["vision/eye_left"].any()
 
 
-def test_with_a_task_it_is_of_this_step():
+def test_a_task_s_observation_is_of_this_step():
     task = Standing()
     env = mimo.make("reach", task=task)
     observation, _ = env.reset(seed=1)
@@ -70,7 +70,7 @@ def test_with_a_task_it_is_of_this_step():
         same(env.world.observation, observation)
 
 
-def test_what_a_page_shows_is_of_this_step(monkeypatch):
+def test_a_page_shows_the_current_step(monkeypatch):
     """The page looks at the world when a step ends: with a task of one's own, too."""
 
     class Page:
@@ -91,7 +91,7 @@ def test_what_a_page_shows_is_of_this_step(monkeypatch):
         env._viewer = None
 
 
-def test_blocks_of_one_s_own():
+def test_blocks_of_the_caller():
     world, twin = mimo.World("reach"), mimo.World("reach")
     block = world.layout.new_block()
     world.reset_into(block, 1)
@@ -160,7 +160,7 @@ def test_several_infants():
         observations, *_ = env.step({name: env.action_space(name).sample() for name in env.agents})
 
 
-def test_it_costs_a_step_nothing(monkeypatch):
+def test_a_step_does_not_look_fields_up(monkeypatch):
     """Fields of a block are looked up when somebody asks for them."""
     world = mimo.World("reach")
     block, made = world.layout.new_block(), []

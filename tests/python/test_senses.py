@@ -88,14 +88,14 @@ def test_an_environment_of_the_same_model_senses_the_same(humanoid, root):
             assert np.array_equal(ours, theirs)
 
 
-def test_what_senses_cannot_know_is_refused(humanoid):
+def test_attached_senses_have_no_goals(humanoid):
     scene = described("torso")
     scene.add_field("goal", mimo.Quantity.AGENT_GOAL, "")
     with pytest.raises(mimo.UnsupportedError, match="goal"):
         mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version)
 
 
-def test_what_is_no_model_is_refused(humanoid):
+def test_objects_that_are_not_models_are_refused(humanoid):
     scene = described("torso")
     with pytest.raises(mimo.UnsupportedError, match="mujoco_version is 237"):
         mimo.Senses(scene, humanoid.model, mujoco_version=237)
@@ -147,7 +147,7 @@ def test_senses_remember_what_they_advance_over(humanoid):
             assert all(np.array_equal(now[name], again[name]) for name in now)
 
 
-def test_what_senses_cannot_do_is_refused(humanoid):
+def test_options_of_worlds_are_refused_by_attached_senses(humanoid):
     scene = described("torso")
     scene.limit_motor(delay=0.1)
     with pytest.raises(mimo.UnsupportedError, match="the host commands them"):

@@ -107,7 +107,7 @@ def test_cameras_are_fields(through):
     assert 0.5 < seen["vision/wall_depth"][12, 16] < math.hypot(1.5, 0.4) + 0.2
 
 
-def test_cameras_that_are_refused():
+def test_bad_cameras_are_refused():
     scene = room()
     with pytest.raises(ValueError, match="observed already"):
         scene.add_camera("wall", width=8, height=8)
@@ -126,7 +126,7 @@ def test_cameras_in_environments():
     env.close()
 
 
-def test_what_pictures_show():
+def test_effects_of_pictures():
     plain = mimo.World("benchmark", renderer="ray", render=mimo.Render(0), **BLIND)
     default = mimo.World("benchmark", renderer="ray", **BLIND)
     smooth = mimo.World("benchmark", renderer="ray", samples=16, render_threads=2, **BLIND)

@@ -68,7 +68,7 @@ def late(told):
 @pytest.mark.parametrize("step", STEPS)
 @pytest.mark.parametrize("friction", [0.3, 1])
 @pytest.mark.parametrize("speed", [0.02, 0.1])
-def test_what_is_smooth_slides_in_silence(step, friction, speed):
+def test_smooth_things_slide_silently(step, friction, speed):
     told = late(Belt(step, friction).run(1.5, speed))
     assert (told[:, 0] == 0).any()
     assert told[:, 2].max() == 0
@@ -79,7 +79,7 @@ def test_what_is_smooth_slides_in_silence(step, friction, speed):
 @pytest.mark.parametrize("kind", [BALL, PLATE], ids=["ball", "plate"])
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 @pytest.mark.parametrize("response", ["NEAREST", "LINEAR", "GAUSSIAN"])
-def test_so_it_does_on_several_sensors_and_by_any_friction(kind, cone, response):
+def test_it_also_does_on_several_sensors_and_with_any_friction(kind, cone, response):
     told = late(Belt(0.005, 0.5, kind=kind, cone=cone, response=response).run(2, 0.1))
     assert told[:, 2].mean() < 0.5
     assert told[:, 3].mean() < 0.5
@@ -87,7 +87,7 @@ def test_so_it_does_on_several_sensors_and_by_any_friction(kind, cone, response)
 
 # Cloth has ridges 1 mm apart and 20 micrometres high: at 0.1 m/s one comes every 10 ms.
 @pytest.mark.parametrize("friction", [0.3, 1])
-def test_a_texture_is_told_through_friction(friction):
+def test_a_texture_shows_in_friction(friction):
     told = late(Belt(0.005, friction, "cotton").run(1.5, 0.1))
     assert told[:, 3] == pytest.approx(100, rel=0.04)
     assert told[:, 2].max() == 0  # below half of RA's threshold there, 134 micrometres
@@ -103,7 +103,7 @@ def test_a_sharp_thing_hurts_as_much_while_it_slides(friction):
     assert told[:, 1] == pytest.approx(5 * (1.817 - 0.8), rel=0.03)
 
 
-def test_what_comes_down_on_what_moves_is_told_at_once_and_so_is_its_leaving():
+def test_touching_and_leaving_a_moving_body_is_felt_at_once():
     belt = Belt(0.005, 1)
     skin = belt.world.joints("z")
     skin.position = 0.005
@@ -119,7 +119,7 @@ def test_what_comes_down_on_what_moves_is_told_at_once_and_so_is_its_leaving():
     assert belt.run(0.5, 0.1)[-1].tolist() == [0, 0, 0, 0]
 
 
-def test_what_stops_to_slide_is_told_as_it_is_again():
+def test_a_stopped_slide_is_felt_as_rest():
     belt = Belt(0.005, 1)
     belt.run(1, 0.1)
     belt.run(0.3, 0)
@@ -129,7 +129,7 @@ def test_what_stops_to_slide_is_told_as_it_is_again():
     assert told[-1, 1] == pytest.approx(48 * (6 * WEIGHT / (2 * WEIGHT + 3) - 0.08), rel=0.01)
 
 
-def test_a_state_holds_what_slides():
+def test_a_state_holds_slides():
     one, other = Belt(0.005, 0.5, "cotton"), Belt(0.005, 0.5, "cotton")
     one.run(0.5, 0.1)
     assert not other.world.load(one.world.save()).fresh

@@ -82,7 +82,7 @@ def actions(count, *lead):
     return np.random.default_rng(0).uniform(-1, 1, (count, *lead, 8)).astype(np.float32)
 
 
-def test_everything_of_a_task_in_one_world():
+def test_all_results_of_a_task_in_one_world():
     env = mimo.make("reach", task=Lift())
     hands = env.world.bodies(*HANDS)
     observation, info = env.reset(seed=1)
@@ -101,7 +101,7 @@ def test_everything_of_a_task_in_one_world():
 
 
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep", "Disabled"])
-def test_everything_of_a_task_in_many_worlds(mode):
+def test_all_results_of_a_task_in_many_worlds(mode):
     envs = mimo.make_vec("reach", num_envs=2, task=Lift(), autoreset_mode=mode)
     alone = [mimo.make("reach", task=Lift()) for _ in range(2)]
     envs.reset(seed=1)
@@ -226,7 +226,7 @@ def test_several_infants():
         assert observations[name] in env.observation_space(name)
 
 
-def test_a_sole_infant_among_several_kinds_of_environments():
+def test_a_single_infant_in_several_kinds_of_environments():
     env = mimo.ParallelEnv("reach", task=Lift(), flatten=True)
     alone = mimo.make("reach", task=Lift(), flatten=True)
     rows, _ = env.reset(seed=1)
@@ -280,7 +280,7 @@ TAKEN = {"proprioception/position": ONE["height"]}
         ({}, {}, mimo.Judgement(terms={"a": 1, "b": np.inf}), ValueError, "gave the reward inf, expected finite"),
     ],
 )
-def test_what_cannot_be_meant_is_refused(fields, observed, judged, kind, message):
+def test_contradictory_arguments_are_refused(fields, observed, judged, kind, message):
     def play():
         env = mimo.make("reach", task=Wrong(fields, observed, judged))
         env.reset(seed=1)

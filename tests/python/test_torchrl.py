@@ -22,7 +22,7 @@ def test_checker():
     envs_of.check_env_specs(envs_of.GymWrapper(many()))
 
 
-def test_a_rollout_is_what_the_worlds_do():
+def test_a_rollout_is_the_steps_of_the_worlds():
     wrapped, plain = envs_of.GymWrapper(many()), many()
     wrapped.set_seed(0)
     torch.manual_seed(0)

@@ -45,7 +45,7 @@ def shape(stage, geom, name):
     return UsdGeom.Mesh(found)
 
 
-def test_usd_s_own_checker_finds_nothing(written, tmp_path):
+def test_usd_s_checker_finds_no_errors(written, tmp_path):
     _, file, _ = written
     assert complaints(file) == []
     packed = tmp_path / "infant.usdz"
@@ -55,7 +55,7 @@ def test_usd_s_own_checker_finds_nothing(written, tmp_path):
     assert [it.name for it in tmp_path.iterdir()] == ["infant.usdz"]
 
 
-def test_the_checker_would_find_something(tmp_path):
+def test_the_checker_finds_errors(tmp_path):
     stage = Usd.Stage.CreateNew(str(tmp_path / "bad.usda"))
     UsdGeom.Mesh.Define(stage, "/Mesh")
     stage.GetRootLayer().Save()

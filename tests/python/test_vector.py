@@ -12,7 +12,7 @@ def actions(count, worlds, size=8):
     return np.random.default_rng(0).uniform(-1, 1, (count, worlds, size)).astype(np.float32)
 
 
-def test_observations_are_views_of_what_the_library_writes():
+def test_observations_are_views_of_the_library_s_blocks():
     envs = mimo.make_vec("reach", num_envs=4)
     first, _ = envs.reset(seed=1)
     blocks = set()
@@ -29,7 +29,7 @@ def test_observations_are_views_of_what_the_library_writes():
     assert first.keys() == observation.keys()
 
 
-def test_an_observation_is_good_until_the_second_step_after_it():
+def test_an_observation_is_valid_until_the_second_step_after_it():
     envs = mimo.make_vec("reach", num_envs=2)
     envs.reset(seed=1)
     one, *_ = envs.step(np.ones((2, 8)))
@@ -117,7 +117,7 @@ def test_disabled_mode_waits_for_a_mask():
     assert moving.tolist() == [False, True]
 
 
-def test_success_is_told():
+def test_success_is_reported():
     # The ball is put into the hand: reach succeeds in the first step.
     envs = mimo.make_vec("reach", num_envs=2)
     envs.reset(seed=1)
@@ -130,7 +130,7 @@ def test_success_is_told():
     assert reward[1] == infos["reward_terms"]["success"][1] == 100
 
 
-def test_a_task_of_one_s_own_in_many_worlds_is_that_of_one():
+def test_a_custom_task_in_many_worlds_is_that_of_one():
     task = NearBall()
     envs = mimo.make_vec("reach", num_envs=3, task=task, max_steps=4)
     envs.reset(seed=5)

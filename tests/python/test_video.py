@@ -75,7 +75,7 @@ def test_a_scene_is_filmed(tmp_path, monkeypatch, capsys):
     assert told == (0, f"{path}: 0.2 s in 5 pictures\n", "")
 
 
-def test_what_cannot_be_filmed(run, tmp_path, monkeypatch, capsys):
+def test_impossible_videos_are_refused(run, tmp_path, monkeypatch, capsys):
     def refused(*arguments):
         code, out, errors = called(monkeypatch, capsys, *arguments)
         assert (code, out, errors.count("\n")) == (1, "", 1)

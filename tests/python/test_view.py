@@ -258,7 +258,7 @@ def test_the_page_begins_close_to_the_infant(scene, aspect):
         assert max(np.ptp(x), np.ptp(y)) > 0.45 * min(picture["width"], 1000)
 
 
-def test_muscles_say_whose_they_are():
+def test_muscles_name_their_infant():
     with viewer_or_skip(view.Live("playdate", vision=False)) as viewer:
         advance_once(viewer)
         shown = [html.content for _, _, html in viewer._page._senses._bars]
@@ -284,7 +284,7 @@ def test_every_scene_is_shown(shown):
         assert sum(handle is not None for handle in shown._page.shapes._shown) > 20
 
 
-def test_what_cannot_be_done_changes_nothing(shown):
+def test_failed_calls_change_nothing(shown):
     shown.change("playdate", "")
     told = []
     shown._tell = told.append
@@ -296,7 +296,7 @@ def test_what_cannot_be_done_changes_nothing(shown):
     advance(shown, 0.02)
 
 
-def test_an_environment_for_people(monkeypatch, capsys):
+def test_an_environment_with_a_page(monkeypatch, capsys):
     pytest.importorskip("viser", reason="viser is not installed")
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
@@ -315,7 +315,7 @@ def test_an_environment_for_people(monkeypatch, capsys):
     env.close()
 
 
-def test_worlds_and_environments_of_ones_own():
+def test_shown_worlds_and_environments():
     """All that the page's function names: a world, an environment, a wrapped one; and nothing else."""
     pytest.importorskip("viser", reason="viser is not installed")
     small = {"vision": True, "vision_width": 16, "vision_height": 16}
@@ -357,7 +357,7 @@ def test_the_page_shows_what_the_infant_senses():
     env.close()
 
 
-def test_the_first_episode_too_is_the_seed_s():
+def test_the_first_episode_follows_the_seed():
     """Its random actions are those of that seed, as after a reset."""
     with viewer_or_skip(view.Live("reach", vision=False), seed=7) as viewer:
         first = [viewer._page.motors.next() for _ in range(60)]

@@ -73,7 +73,7 @@ def test_the_page_needs_the_token(viewer):
 @pytest.mark.parametrize(
     "origin", ["http://evil.example", "null", "http://127.0.0.1:1", "https://evil.example:80", "http://[bad", ""]
 )
-def test_other_pages_do_not_come_in(viewer, origin):
+def test_other_pages_are_refused(viewer, origin):
     for path in (None, "", "wrong"):
         with pytest.raises(exceptions.InvalidStatus, match="403"):
             connect(viewer, path, origin).close()
@@ -83,7 +83,7 @@ def test_other_pages_do_not_come_in(viewer, origin):
         connect(viewer, "wrong", None).close()
 
 
-def test_the_page_itself_comes_in(viewer):
+def test_the_page_itself_may_connect(viewer):
     for origin in (HERE, None):
         with connect(viewer, origin=origin) as connection:
             assert len(connection.recv(timeout=20)) > 100

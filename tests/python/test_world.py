@@ -58,7 +58,7 @@ def test_views_outlive_the_world():
     np.testing.assert_array_equal(field, kept)
 
 
-def test_worlds_are_freed_when_nobody_has_them():
+def test_worlds_are_freed_with_their_last_reference():
     world = mimo.World("reach")
     handle = weakref.ref(world._handle)
     gone = weakref.ref(world)
@@ -185,7 +185,7 @@ def test_gravity_and_locks():
     assert world.locked("robot:left_elbow") is None
 
 
-def test_a_state_goes_on_bit_for_bit(reach):
+def test_a_loaded_state_continues_bit_for_bit(reach):
     reach.reset(seed=5)
     rng = np.random.default_rng(0)
     actions = rng.uniform(-1, 1, (20, 8))
@@ -200,7 +200,7 @@ def test_a_state_goes_on_bit_for_bit(reach):
         reach.load(state[:-1])
 
 
-def test_seeds_decide(reach):
+def test_seeds_decide_the_episode(reach):
     one = reach.reset(seed=1)["proprioception/position"].copy()
     other = reach.reset(seed=2)["proprioception/position"].copy()
     np.testing.assert_array_equal(reach.reset(seed=1)["proprioception/position"], one)
@@ -243,7 +243,7 @@ def test_messages_go_to_logging(caplog):
     assert (told.world, told.time) == (None, None)  # for it comes from none
 
 
-def test_warnings_say_whose_and_when_they_are(caplog):
+def test_warnings_have_world_and_time(caplog):
     # A box on its face has four contacts, of which the model has room for one.
     crowded = """<mujoco><option timestep="0.005"/><size nconmax="1"/><worldbody><geom type="plane" size="1 1 .1"/>
         <body name="box" pos="0 0 1"><freejoint/><geom type="box" size=".1 .1 .1"/></body></worldbody></mujoco>"""
@@ -281,7 +281,7 @@ def test_the_usual_picture_shows_the_infant_large_in_the_middle(scene):
 
 
 @pytest.mark.parametrize("age", [0.0, 6.0, 18.0])
-def test_who_begins_above_the_floor(age):
+def test_infants_that_start_above_the_floor(age):
     """As the page on scenes says: 0.4 m, as in the original's scene, less the 0.329 m from there down to the soles."""
     with mimo.World("benchmark", age=age, vision=False, touch=False) as world:
         world.reset(seed=1)
