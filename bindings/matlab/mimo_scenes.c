@@ -112,20 +112,30 @@ static double add_weld(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-static double add_lock(mimo_scene* scene, properties* given) {
-  const char* joint = mimo_take_text(given, "joint");
-  const double value = mimo_take_number(given, "value");
-  mimo_no_more(given, "a lock");
-  mimo_check(mimo_scene_lock(scene, joint, value));
+/* Sets a number of something that has a name. */
+static double set_named(mimo_scene* scene, properties* given, const char* name, const char* number, const char* what,
+                        mimo_status (*set)(mimo_scene*, const char*, double)) {
+  const char* text = mimo_take_text(given, name);
+  const double value = mimo_take_number(given, number);
+  mimo_no_more(given, what);
+  mimo_check(set(scene, text, value));
   return 0;
 }
 
+static double add_lock(mimo_scene* scene, properties* given) {
+  return set_named(scene, given, "joint", "value", "a lock", mimo_scene_lock);
+}
+
 static double add_pose(mimo_scene* scene, properties* given) {
-  const char* joint = mimo_take_text(given, "joint");
-  const double value = mimo_take_number(given, "value");
-  mimo_no_more(given, "a pose");
-  mimo_check(mimo_scene_set_pose(scene, joint, value));
-  return 0;
+  return set_named(scene, given, "joint", "value", "a pose", mimo_scene_set_pose);
+}
+
+static double add_temperature(mimo_scene* scene, properties* given) {
+  return set_named(scene, given, "body", "celsius", "a temperature", mimo_scene_set_temperature);
+}
+
+static double add_parameter(mimo_scene* scene, properties* given) {
+  return set_named(scene, given, "name", "value", "a parameter", mimo_scene_set_parameter);
 }
 
 /* Sets a number for a part of the body, or for all of it. */
@@ -179,27 +189,22 @@ static double add_joint(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-static mimo_limits take_limits(properties* given) {
+/* Limits a sense or a motor. */
+static double limit(mimo_scene* scene, properties* given,
+                    mimo_status (*set)(mimo_scene*, size_t, const char*, const mimo_limits*)) {
+  const size_t agent = take_agent(given);
+  const char* path = mimo_take_text(given, "path");
   mimo_limits limits;
   mimo_check(mimo_limits_init(&limits, sizeof limits));
   mimo_set_all(&limits, mimo_limits_options, given, "limits");
-  return limits;
-}
-
-static double add_limits(mimo_scene* scene, properties* given) {
-  const size_t agent = take_agent(given);
-  const char* path = mimo_take_text(given, "path");
-  const mimo_limits limits = take_limits(given);
-  mimo_check(mimo_scene_limit_sense(scene, agent, path, &limits));
+  mimo_check(set(scene, agent, path, &limits));
   return 0;
 }
+
+static double add_limits(mimo_scene* scene, properties* given) { return limit(scene, given, mimo_scene_limit_sense); }
 
 static double add_motor_limits(mimo_scene* scene, properties* given) {
-  const size_t agent = take_agent(given);
-  const char* path = mimo_take_text(given, "path");
-  const mimo_limits limits = take_limits(given);
-  mimo_check(mimo_scene_limit_motor(scene, agent, path, &limits));
-  return 0;
+  return limit(scene, given, mimo_scene_limit_motor);
 }
 
 /* The maturity of an age, or perfect eyes and nerves, with the given numbers. Without options the growth decides. */
@@ -223,27 +228,11 @@ static double add_room_temperature(mimo_scene* scene, properties* given) {
   return 0;
 }
 
-static double add_temperature(mimo_scene* scene, properties* given) {
-  const char* body = mimo_take_text(given, "body");
-  const double celsius = mimo_take_number(given, "celsius");
-  mimo_no_more(given, "a temperature");
-  mimo_check(mimo_scene_set_temperature(scene, body, celsius));
-  return 0;
-}
-
 static double add_material(mimo_scene* scene, properties* given) {
   const char* body = mimo_take_text(given, "body");
   const char* name = mimo_take_text(given, "name");
   mimo_no_more(given, "a material");
   mimo_check(mimo_scene_set_material(scene, body, name));
-  return 0;
-}
-
-static double add_parameter(mimo_scene* scene, properties* given) {
-  const char* name = mimo_take_text(given, "name");
-  const double value = mimo_take_number(given, "value");
-  mimo_no_more(given, "a parameter");
-  mimo_check(mimo_scene_set_parameter(scene, name, value));
   return 0;
 }
 

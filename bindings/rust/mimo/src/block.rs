@@ -136,7 +136,7 @@ impl<'a> Observation<'a> {
     fn view<T>(&self, name: &str, dtype: FieldType) -> Result<&'a [T]> {
         let field = self.find(name)?;
         if field.dtype != dtype {
-            let message = format!("the field \"{}\" is of type {:?}, not {:?}", name, field.dtype, dtype);
+            let message = format!("the field \"{}\" has the type {:?}, not {:?}", name, field.dtype, dtype);
             return Err(Error::new(Status::INVALID_ARGUMENT, message));
         }
         let bytes = &self.bytes[field.bytes.clone()];
@@ -148,7 +148,7 @@ impl<'a> Observation<'a> {
     fn find(&self, name: &str) -> Result<&'a Field> {
         self.fields.iter().find(|field| field.name == name).ok_or_else(|| {
             let names: Vec<&str> = self.fields.iter().map(|field| field.name.as_str()).collect();
-            let message = format!("no field named \"{}\"; there are: {}", name, names.join(", "));
+            let message = format!("no field is named \"{}\"; there are: {}", name, names.join(", "));
             Error::new(Status::NOT_FOUND, message)
         })
     }

@@ -67,5 +67,5 @@ pub(crate) fn text(string: *const c_char) -> String {
 /// A string for the library. C strings cannot contain zeros.
 pub(crate) fn c_string(text: &str) -> Result<CString> {
     CString::new(text)
-        .map_err(|_| Error::new(Status::INVALID_ARGUMENT, format!("a zero inside the text {:?}", text)))
+        .map_err(|_| Error::new(Status::INVALID_ARGUMENT, format!("the text {:?} contains a zero", text)))
 }

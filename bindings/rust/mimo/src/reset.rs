@@ -75,8 +75,10 @@ impl<'a> BatchReset<'a> {
         match given.find(|&length| length != worlds) {
             None => Ok(worlds),
             Some(other) => {
-                let message =
-                    format!("seeds, mask and ages have {} and {} entries, expected as many", worlds, other);
+                let message = format!(
+                    "seeds, mask and ages have {} and {} entries, expected equal numbers",
+                    worlds, other
+                );
                 Err(Error::new(Status::INVALID_ARGUMENT, message))
             }
         }

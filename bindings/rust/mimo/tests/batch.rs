@@ -127,7 +127,7 @@ fn reset_takes_seeds_and_a_mask() {
     assert_eq!(blocks.world(0).as_bytes(), before.world(0).as_bytes());
     assert_eq!(blocks.world(1).as_bytes(), block.as_bytes());
     let error = batch.reset(BatchReset::new().seeds(&[8, 9]).mask(&[true]), None).unwrap_err();
-    assert_eq!(error.message(), "seeds, mask and ages have 2 and 1 entries, expected as many");
+    assert_eq!(error.message(), "seeds, mask and ages have 2 and 1 entries, expected equal numbers");
     assert!(batch.reset(BatchReset::new().seeds(&[8]), None).is_err());
 }
 
