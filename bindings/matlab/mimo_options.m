@@ -3,6 +3,7 @@ function mimo_options()
 %   mimo_options() shows this page.
 %   An option that takes words also takes the numbers of mimo.h. Several words that combine go into a cell
 %   array, {'rgb', 'depth'}; {} is none of them. In struct() a cell array needs braces, {{'rgb', 'depth'}}.
+%   Experimental options may change with any version: docs/abi.md.
 %
 %   An infant: mimo_create, mimo_scene_add(scene, 'agent', ...):
 %     place                 A word of Place: its point that lies at position. Default: the scene's.
@@ -29,53 +30,54 @@ function mimo_options()
 %     touch                 Words of Touch; {}: no touch. Default 'force'.
 %     touch_response        A word of TouchResponse: how a touch spreads over sensors. Default 'linear'.
 %     touch_frame           A word of TouchFrame: of touch/force with three components. Default 'body'.
-%     reflexes              Words of Reflex; adds the field reflex/activation; {} (default): none.
+%     reflexes              Words of Reflex; adds the field reflex/activation; {} (default): none. Experimental.
 %     touch_scale           Divides the distances between sensors: 2 gives 4 times as many. Default 1.
 %     touch_slip_threshold  Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005.
 %     face                  Its first face, see mimo_names('face'); unless set: neutral.
 %     root                  With body "scene": the body of the model that, with its children, is the agent; "world": the
 %                           whole model. Unless set: an infant.
 %     vestibular_at         Site or body whose motion the vestibular sense feels; unless set: the infant's head.
-%     hearing               Words of Hearing; {} (default): no hearing.
+%     hearing               Words of Hearing; {} (default): no hearing. Experimental.
 %     voice                 1: an infant's voice, with four actions after the motors' actions: "voice:loudness", 0
 %                           (silent) to 1 (a cry); "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and
 %                           "voice:front", 0.7 to 1.3 times the first and second formant of its age. Every agent with
-%                           hearing hears it, see docs/guide/hearing.md. 0 (default): no voice.
+%                           hearing hears it, see docs/guide/hearing.md. 0 (default): no voice. Experimental.
 %
 %   Its age and size, with those of an infant:
 %     sex                   A word of Sex. Default 'mean'.
 %     age                   Age in months, 0 (a newborn) to 24, for size and mass. Default 18.
-%     physiological_age     Months, 0 to 24, for strength, range of motion and tone.
-%     growth                A word of GrowthModel. Default 'who'.
+%     physiological_age     Months, 0 to 24, for strength, range of motion and tone. Experimental.
+%     growth                A word of GrowthModel. Default 'who'. Experimental.
 %     z_length              Its length in standard deviations from the median of age and sex, -3 to 3.
 %     z_weight              The same for its weight.
 %     z_head                The same for its head's circumference.
 %     percentile            Percent, 1 to 99.865: sets all three z-scores, which must then be 0; 0: not used.
 %     strength_exponent     A muscle's strength per cross-section is proportional to this power of the median length at
-%                           the physiological age, 0 to 5; 0: equal at all ages. Default 1.7.
-%     neck_strength         Factor of the neck's strength at its age, 0 to 10. Default 1.
+%                           the physiological age, 0 to 5; 0: equal at all ages. Default 1.7. Experimental.
+%     neck_strength         Factor of the neck's strength at its age, 0 to 10. Default 1. Experimental.
 %     birth_tone            Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5.
+%                           Experimental.
 %     contracture           Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to
-%                           1. Default 1.
+%                           1. Default 1. Experimental.
 %     absolute              1: length and weight are the WHO's; 0 (default): they are the WHO's relative to the body of
-%                           18 months, which is 4.5 % shorter and 3 % heavier than the median.
+%                           18 months, which is 4.5 % shorter and 3 % heavier than the median. Experimental.
 %     keep_spacing          1: touch sensors keep the spacing of 18 months, so a smaller body has fewer; 0 (default):
-%                           their number stays and their spacing grows with the body.
-%     maturity              Words of Mature; {} (default): 'body'.
+%                           their number stays and their spacing grows with the body. Experimental.
+%     maturity              Words of Mature; {} (default): 'body'. Experimental.
 %
 %   Simulation and pictures: mimo_create:
 %     frame_skip            Physics steps per environment step, 1 to 1000; each is one time step of the model, 5 ms in
 %                           built-in scenes. 0 (default): the scene's, usually 2.
-%     jacobian              A word of Jacobian.
+%     jacobian              A word of Jacobian. Experimental.
 %     disable               Words of Disable.
 %     renderer              "ray": libmimo's, on the CPU; "osmesa", "gl": MuJoCo's, on the CPU or a graphics card;
 %                           "none": no pictures, vision must be off; "auto" (default): ray if the scene allows it, else
 %                           osmesa.
 %     max_steps             Steps after which an episode is truncated; 0: the task's parameter episode_steps.
-%     timing                1: enables mimo_timing; costs a few clock reads per step.
+%     timing                1: enables mimo_timing; costs a few clock reads per step. Experimental.
 %     task                  See mimo_names('task'); unless set: the scene's. Every agent performs the task separately.
 %     render                Words of Render: effects that pictures show; the others cost nothing. Default: all except
-%                           fog.
+%                           fog. Experimental.
 %     samples               Samples per pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may use fewer); 0: one ray, or
 %                           the model's setting for OpenGL.
 %     render_threads        Threads of the ray renderer for one picture, 1 to 64, including the caller's. They do not
@@ -201,18 +203,18 @@ function mimo_options()
 %     'position'            Joint angles, rad.
 %     'effort'              proprioception/effort, 0 to 1: see docs/guide/muscles.md.
 %     'spindle_primary'     Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off
-%                           by default. proprioception/spindle_primary, two muscles per motor: Ia.
-%     'spindle_secondary'   proprioception/spindle_secondary, the same shape: II.
-%     'tendon_organ'        proprioception/tendon_organ, the same shape: Ib.
-%     'joint_receptor'      proprioception/joint_receptor, joints x 2: near its ends.
+%                           by default. proprioception/spindle_primary, two muscles per motor: Ia. Experimental.
+%     'spindle_secondary'   proprioception/spindle_secondary, the same shape: II. Experimental.
+%     'tendon_organ'        proprioception/tendon_organ, the same shape: Ib. Experimental.
+%     'joint_receptor'      proprioception/joint_receptor, joints x 2: near its ends. Experimental.
 %     'all'                 All bits of the loaded library.
 %
 %   Words of Vestibular, which combine: What the sense of balance reports.
 %     'acceleration'        vestibular/acceleration, 3, m/s^2, gravity included.
 %     'angular_velocity'    vestibular/angular_velocity, 3, rad/s.
-%     'canals'              vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md.
-%     'otoliths'            vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md.
-%     'gravity'             vestibular/gravity, 3, m/s^2: the estimated direction of up.
+%     'canals'              vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md. Experimental.
+%     'otoliths'            vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md. Experimental.
+%     'gravity'             vestibular/gravity, 3, m/s^2: the estimated direction of up. Experimental.
 %
 %   Words of Vision, which combine: What both eyes see.
 %     'rgb'                 Colour, uint8 H x W x 3, row 0 is the top.
@@ -254,16 +256,16 @@ function mimo_options()
 %     'slip'                touch/slip, N x 2: sliding over the skin, along its tangents, m/s.
 %     'friction_use'        touch/friction_use, N x 1: share of the possible friction in use, 0 to 1.
 %     'sa1'                 Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise;
-%                           off by default. touch/sa1: depth of indentation.
-%     'ra'                  touch/ra: speed of indentation, and sliding.
-%     'pc'                  touch/pc: jolts and vibration, as an envelope.
-%     'sa2'                 touch/sa2, N x 2: stretch along the sensor's two tangents.
-%     'temperature'         touch/temperature: of the skin's surface, degrees Celsius.
-%     'cold'                touch/cold.
-%     'warm'                touch/warm.
-%     'nociception_fast'    touch/nociception_fast: pricks and heat, at once.
-%     'nociception_slow'    touch/nociception_slow: pricks, heat and cold, late and lasting.
-%     'units'               touch/units, N x 4: number of 'sa1', 'ra', 'pc', 'sa2' units per sensor.
+%                           off by default. touch/sa1: depth of indentation. Experimental.
+%     'ra'                  touch/ra: speed of indentation, and sliding. Experimental.
+%     'pc'                  touch/pc: jolts and vibration, as an envelope. Experimental.
+%     'sa2'                 touch/sa2, N x 2: stretch along the sensor's two tangents. Experimental.
+%     'temperature'         touch/temperature: of the skin's surface, degrees Celsius. Experimental.
+%     'cold'                touch/cold. Experimental.
+%     'warm'                touch/warm. Experimental.
+%     'nociception_fast'    touch/nociception_fast: pricks and heat, at once. Experimental.
+%     'nociception_slow'    touch/nociception_slow: pricks, heat and cold, late and lasting. Experimental.
+%     'units'               touch/units, N x 4: number of 'sa1', 'ra', 'pc', 'sa2' units per sensor. Experimental.
 %
 %   Words of TouchResponse: Which touch sensors feel how much of a contact.
 %     'nearest'             The nearest sensor feels the whole touch.
@@ -278,18 +280,19 @@ function mimo_options()
 %   Words of Reflex, which combine: Reflexes of newborns, which add to the agent's commands.
 %     'palmar_grasp'        Reflexes of newborns, added to the agent's commands according to its age: see
 %                           docs/guide/reflexes.md. Fingers close on pressure on the palm; needs five fingers.
-%     'plantar_grasp'       Toes curl on pressure on the ball of the foot.
-%     'rooting'             The head turns towards a touch at a corner of the mouth.
-%     'moro'                The head drops: arms open, then close.
-%     'asymmetric_tonic_neck'The head turns: limbs stretch on that side, bend on the other.
-%     'stepping'            Upright on its feet, leaning forward: legs step in turn.
-%     'withdrawal'          Legs draw back from a touch or a prick.
-%     'felt'                reflex/activation has all reflexes that this body can show.
-%     'all'                 All reflexes of the loaded library that this body can show.
+%                           Experimental.
+%     'plantar_grasp'       Toes curl on pressure on the ball of the foot. Experimental.
+%     'rooting'             The head turns towards a touch at a corner of the mouth. Experimental.
+%     'moro'                The head drops: arms open, then close. Experimental.
+%     'asymmetric_tonic_neck'The head turns: limbs stretch on that side, bend on the other. Experimental.
+%     'stepping'            Upright on its feet, leaning forward: legs step in turn. Experimental.
+%     'withdrawal'          Legs draw back from a touch or a prick. Experimental.
+%     'felt'                reflex/activation has all reflexes that this body can show. Experimental.
+%     'all'                 All reflexes of the loaded library that this body can show. Experimental.
 %
 %   Words of Hearing, which combine: What both ears hear.
-%     'ears'                hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa.
-%     'bands'               hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s.
+%     'ears'                hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa. Experimental.
+%     'bands'               hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s. Experimental.
 %
 %   Words of Sex: Whose growth an infant follows.
 %     'mean'                The mean of the medians of girls and boys.
@@ -297,33 +300,33 @@ function mimo_options()
 %     'male'                A boy.
 %
 %   Words of GrowthModel: By which rules infants grow.
-%     'who'                 The 'who''s child growth standards and measured infants: docs/guide/growth.md.
-%     'original'            The rules of MIMo's second version, for comparison.
+%     'who'                 The 'who''s child growth standards and measured infants: docs/guide/growth.md. Experimental.
+%     'original'            The rules of MIMo's second version, for comparison. Experimental.
 %
 %   Words of Mature, which combine: What of an infant is as old as the infant.
-%     'body'                Size, mass, strength and joints. 0 means this bit.
-%     'eyes'                Its eyes' acuity and colour, by its physiological age: mimo_maturity_at.
-%     'delays'              The delays of its nerves to and from the brain, by its physiological age.
-%     'threshold'           With 'eyes': contrasts below the threshold disappear.
-%     'flicker'             With 'eyes': changes above the flicker limit are blurred.
-%     'all'                 All bits of the loaded library except 'threshold' and 'flicker'.
+%     'body'                Size, mass, strength and joints. 0 means this bit. Experimental.
+%     'eyes'                Its eyes' acuity and colour, by its physiological age: mimo_maturity_at. Experimental.
+%     'delays'              The delays of its nerves to and from the brain, by its physiological age. Experimental.
+%     'threshold'           With 'eyes': contrasts below the threshold disappear. Experimental.
+%     'flicker'             With 'eyes': changes above the flicker limit are blurred. Experimental.
+%     'all'                 All bits of the loaded library except 'threshold' and 'flicker'. Experimental.
 %
 %   Words of Jacobian: How constraints are solved: the same solution to rounding.
-%     'model'               The model's setting; built-in scenes use sparse.
-%     'dense'               The original's solver, for comparing trajectories to the last digit.
-%     'sparse'              The same solution up to rounding, about twice as fast.
+%     'model'               The model's setting; built-in scenes use sparse. Experimental.
+%     'dense'               The original's solver, for comparing trajectories to the last digit. Experimental.
+%     'sparse'              The same solution up to rounding, about twice as fast. Experimental.
 %
 %   Words of Disable, which combine: Parts of physics to leave out.
 %     'contact'             No contacts.
 %     'gravity'             No gravity.
-%     'own_solver'          MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower.
+%     'own_solver'          MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower. Experimental.
 %
 %   Words of Render, which combine: What pictures show; what is left out costs nothing.
-%     'shadows'             Lights cast shadows.
-%     'reflections'         Floors and boxes may mirror the scene.
-%     'sky'                 The scene's sky; without it the background is black.
-%     'haze'                Haze at the horizon of an endless floor.
-%     'fog'                 Fog, as the scene's MJCF describes it.
+%     'shadows'             Lights cast shadows. Experimental.
+%     'reflections'         Floors and boxes may mirror the scene. Experimental.
+%     'sky'                 The scene's sky; without it the background is black. Experimental.
+%     'haze'                Haze at the horizon of an endless floor. Experimental.
+%     'fog'                 Fog, as the scene's MJCF describes it. Experimental.
 %
 %   Words of Autoreset: What a batch does when an episode ends.
 %     'none'                Worlds continue after the end of an episode, until mimo_reset.

@@ -26,6 +26,11 @@ class Prose:
         return full if full in self.constants else short
 
 
+def described(thing) -> str:
+    """A comment that says of what is experimental that it is."""
+    return f"{thing.doc}\n\nExperimental." if thing.stability == "experimental" else thing.doc
+
+
 def without_null(doc: str) -> str:
     """A member's comment for languages in which NULL is what nobody has set."""
     doc = re.sub(r"\bNULL or (?=\"\")|, or NULL|, and NULL(?=\))", "", doc)

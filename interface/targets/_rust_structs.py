@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from targets._prose import switch
+from targets._prose import described, switch
 from targets._rust_words import CONFIGS, NOTICE, RECORDS, comment, identifier, member_type, pascal, prose, told
 
 # Configs whose constructors take arguments; a hand-written module has them.
@@ -133,7 +133,7 @@ class Configs:
         kept = [member for member in members if member.type in KEPT]
         lines = [line for member in kept for line in self.point(struct, member)]
         return (POINTING if kept else PLAIN).format(
-            doc=comment(self.prose(struct.doc)),
+            doc=comment(self.prose(described(struct))),
             name=pascal(struct.name),
             struct=struct.name,
             init=struct.init,
@@ -265,7 +265,7 @@ class Records:
         name = pascal(struct.name)
         settable = ", ".join(f"{one.name}: {self.raw(one)}" for one, _, _ in members)
         return RECORD.format(
-            doc=comment(self.prose(struct.doc)),
+            doc=comment(self.prose(described(struct))),
             copy="" if any(kind == "String" for _, kind, _ in members) else "Copy, ",
             open="" if struct.init else "#[non_exhaustive]\n",
             name=name,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 
+from targets._prose import described
 from targets._rust_structs import Configs, Records
 from targets._rust_words import NOTICE, comment, identifier, integer, member_type, prose, rust_type
 
@@ -50,9 +51,11 @@ class Declarations:
     def constant(self, constant) -> str:
         value = constant.value
         if isinstance(value, str):
-            return f'{comment(constant.doc)}pub const {constant.name}: &[u8; {len(value) + 1}] = b"{value}\\0";\n'
+            return (
+                f'{comment(described(constant))}pub const {constant.name}: &[u8; {len(value) + 1}] = b"{value}\\0";\n'
+            )
         number = self.types.get(constant.name, "u32" if value >= 0 else "i32")
-        return f"{comment(constant.doc)}pub const {constant.name}: {number} = {value};\n"
+        return f"{comment(described(constant))}pub const {constant.name}: {number} = {value};\n"
 
     def handle(self, handle) -> str:
         return f"{comment(handle.doc)}{HANDLE.format(name=handle.name)}"
@@ -68,15 +71,15 @@ class Declarations:
 
     def struct(self, struct) -> str:
         members = "".join(
-            f"{comment(member.doc, '    ')}    pub {identifier(member.name)}: {member_type(member)},\n"
+            f"{comment(described(member), '    ')}    pub {identifier(member.name)}: {member_type(member)},\n"
             for member in struct.members
         )
-        head = f"{comment(struct.doc)}#[repr(C)]\n#[derive(Clone, Copy, Debug)]\n"
+        head = f"{comment(described(struct))}#[repr(C)]\n#[derive(Clone, Copy, Debug)]\n"
         return f"{head}pub struct {struct.name} {{\n{members}}}\n"
 
     def function(self, function) -> str:
-        told = function.doc + "".join(f"\n\n* `{one.name}`: {one.doc}" for one in function.parameters if one.doc)
-        return f"{comment(told, '    ')}    pub fn {function.name}{self.signature(function)};\n"
+        told = "".join(f"\n\n* `{one.name}`: {one.doc}" for one in function.parameters if one.doc)
+        return f"{comment(described(function) + told, '    ')}    pub fn {function.name}{self.signature(function)};\n"
 
 
 def structs(api) -> str:
@@ -99,7 +102,7 @@ def constants(api) -> str:
 
 
 def enumeration(enum, api, told) -> str:
-    docs = {constant.name: constant.doc for constant in api.constants}
+    docs = {constant.name: described(constant) for constant in api.constants}
     entries = "".join(
         f"{comment(told(docs[name], enum.name), '    ')}    {enum.word(name)} = {name},\n" for name in enum.constants
     )

@@ -37,6 +37,11 @@ class Targets(unittest.TestCase):
         self.assertEqual(prose.text("Default: VELOCITY; an SI unit.", "Vestibular"), "Default: VELOCITY; an SI unit.")
         self.assertEqual(prose.text("unused with _PLACE_SCENE"), "unused with <MIMO_PLACE_SCENE>")
 
+    def test_comments_say_what_is_experimental(self):
+        self.assertEqual(_prose.described(POINTER), "Weights of the joints.")
+        young = dataclasses.replace(POINTER, stability="experimental")
+        self.assertEqual(_prose.described(young), "Weights of the joints.\n\nExperimental.")
+
     def test_null_is_what_is_not_set(self):
         self.assertEqual(_prose.without_null("A face; NULL: neutral."), "A face; unless set: neutral.")
         self.assertEqual(_prose.without_null('NULL or "" (default): none.'), '"" (default): none.')

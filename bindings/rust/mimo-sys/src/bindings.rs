@@ -81,27 +81,43 @@ pub const MIMO_LOG_WARNING: i32 = 1;
 pub const MIMO_LOG_INFO: i32 = 2;
 
 /// More contacts than the model's nconmax: some are missing.
+///
+/// Experimental.
 pub const MIMO_WARNING_CONTACTS_DROPPED: i32 = 1;
 
 /// More constraints than the model's njmax: some are missing.
+///
+/// Experimental.
 pub const MIMO_WARNING_CONSTRAINTS_DROPPED: i32 = 2;
 
 /// A position is not a number, or huge: the world has failed.
+///
+/// Experimental.
 pub const MIMO_WARNING_BAD_POSITION: i32 = 3;
 
 /// The same for a velocity.
+///
+/// Experimental.
 pub const MIMO_WARNING_BAD_VELOCITY: i32 = 4;
 
 /// The same for an acceleration.
+///
+/// Experimental.
 pub const MIMO_WARNING_BAD_ACCELERATION: i32 = 5;
 
 /// A control is not a number, or huge: the step used 0 for all controls.
+///
+/// Experimental.
 pub const MIMO_WARNING_BAD_CONTROL: i32 = 6;
 
 /// The inertia matrix is nearly singular.
+///
+/// Experimental.
 pub const MIMO_WARNING_INERTIA: i32 = 7;
 
 /// The solver stopped at its last iteration; counted, not logged.
+///
+/// Experimental.
 pub const MIMO_WARNING_NOT_CONVERGED: i32 = 8;
 
 /// size: radius.
@@ -129,27 +145,43 @@ pub const MIMO_SEX_FEMALE: i32 = 1;
 pub const MIMO_SEX_MALE: i32 = 2;
 
 /// The WHO's child growth standards and measured infants: docs/guide/growth.md.
+///
+/// Experimental.
 pub const MIMO_GROWTH_WHO: i32 = 0;
 
 /// The rules of MIMo's second version, for comparison.
+///
+/// Experimental.
 pub const MIMO_GROWTH_ORIGINAL: i32 = 1;
 
 /// Size, mass, strength and joints. 0 means this bit.
+///
+/// Experimental.
 pub const MIMO_MATURITY_BODY: u32 = 1;
 
 /// Its eyes' acuity and colour, by its physiological age: mimo_maturity_at.
+///
+/// Experimental.
 pub const MIMO_MATURITY_EYES: u32 = 2;
 
 /// The delays of its nerves to and from the brain, by its physiological age.
+///
+/// Experimental.
 pub const MIMO_MATURITY_DELAYS: u32 = 4;
 
 /// With _EYES: contrasts below the threshold disappear.
+///
+/// Experimental.
 pub const MIMO_MATURITY_THRESHOLD: u32 = 8;
 
 /// With _EYES: changes above the flicker limit are blurred.
+///
+/// Experimental.
 pub const MIMO_MATURITY_FLICKER: u32 = 16;
 
 /// All bits of the loaded library except _THRESHOLD and _FLICKER.
+///
+/// Experimental.
 pub const MIMO_MATURITY_ALL: u32 = 2147483648;
 
 /// Joint velocities, rad/s.
@@ -175,15 +207,23 @@ pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
 
 /// Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
 /// proprioception/spindle_primary, two muscles per motor: Ia.
+///
+/// Experimental.
 pub const MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY: u32 = 128;
 
 /// proprioception/spindle_secondary, the same shape: II.
+///
+/// Experimental.
 pub const MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY: u32 = 256;
 
 /// proprioception/tendon_organ, the same shape: Ib.
+///
+/// Experimental.
 pub const MIMO_PROPRIOCEPTION_TENDON_ORGAN: u32 = 512;
 
 /// proprioception/joint_receptor, joints x 2: near its ends.
+///
+/// Experimental.
 pub const MIMO_PROPRIOCEPTION_JOINT_RECEPTOR: u32 = 1024;
 
 /// All bits of the loaded library.
@@ -205,18 +245,28 @@ pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
 pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
 
 /// vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md.
+///
+/// Experimental.
 pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
 
 /// vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md.
+///
+/// Experimental.
 pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
 
 /// vestibular/gravity, 3, m/s^2: the estimated direction of up.
+///
+/// Experimental.
 pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
 
 /// hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa.
+///
+/// Experimental.
 pub const MIMO_HEARING_EARS: u32 = 1;
 
 /// hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s.
+///
+/// Experimental.
 pub const MIMO_HEARING_BANDS: u32 = 2;
 
 /// The scene's own place for an infant.
@@ -292,30 +342,48 @@ pub const MIMO_ACT_NONE: u32 = 1073741824;
 
 /// Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. Fingers close
 /// on pressure on the palm; needs five fingers.
+///
+/// Experimental.
 pub const MIMO_REFLEX_PALMAR_GRASP: u32 = 1;
 
 /// Toes curl on pressure on the ball of the foot.
+///
+/// Experimental.
 pub const MIMO_REFLEX_PLANTAR_GRASP: u32 = 2;
 
 /// The head turns towards a touch at a corner of the mouth.
+///
+/// Experimental.
 pub const MIMO_REFLEX_ROOTING: u32 = 4;
 
 /// The head drops: arms open, then close.
+///
+/// Experimental.
 pub const MIMO_REFLEX_MORO: u32 = 8;
 
 /// The head turns: limbs stretch on that side, bend on the other.
+///
+/// Experimental.
 pub const MIMO_REFLEX_ASYMMETRIC_TONIC_NECK: u32 = 16;
 
 /// Upright on its feet, leaning forward: legs step in turn.
+///
+/// Experimental.
 pub const MIMO_REFLEX_STEPPING: u32 = 32;
 
 /// Legs draw back from a touch or a prick.
+///
+/// Experimental.
 pub const MIMO_REFLEX_WITHDRAWAL: u32 = 64;
 
 /// reflex/activation has all reflexes that this body can show.
+///
+/// Experimental.
 pub const MIMO_REFLEX_FELT: u32 = 1073741824;
 
 /// All reflexes of the loaded library that this body can show.
+///
+/// Experimental.
 pub const MIMO_REFLEX_ALL: u32 = 2147483648;
 
 /// touch/force, N x 3: normal force and friction, N.
@@ -332,33 +400,53 @@ pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
 
 /// Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise; off by default.
 /// touch/sa1: depth of indentation.
+///
+/// Experimental.
 pub const MIMO_TOUCH_SA1: u32 = 16;
 
 /// touch/ra: speed of indentation, and sliding.
+///
+/// Experimental.
 pub const MIMO_TOUCH_RA: u32 = 32;
 
 /// touch/pc: jolts and vibration, as an envelope.
+///
+/// Experimental.
 pub const MIMO_TOUCH_PC: u32 = 64;
 
 /// touch/sa2, N x 2: stretch along the sensor's two tangents.
+///
+/// Experimental.
 pub const MIMO_TOUCH_SA2: u32 = 128;
 
 /// touch/temperature: of the skin's surface, degrees Celsius.
+///
+/// Experimental.
 pub const MIMO_TOUCH_TEMPERATURE: u32 = 256;
 
 /// touch/cold.
+///
+/// Experimental.
 pub const MIMO_TOUCH_COLD: u32 = 512;
 
 /// touch/warm.
+///
+/// Experimental.
 pub const MIMO_TOUCH_WARM: u32 = 1024;
 
 /// touch/nociception_fast: pricks and heat, at once.
+///
+/// Experimental.
 pub const MIMO_TOUCH_NOCICEPTION_FAST: u32 = 2048;
 
 /// touch/nociception_slow: pricks, heat and cold, late and lasting.
+///
+/// Experimental.
 pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
 
 /// touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor.
+///
+/// Experimental.
 pub const MIMO_TOUCH_UNITS: u32 = 8192;
 
 /// The nearest sensor feels the whole touch.
@@ -406,12 +494,18 @@ pub const MIMO_RECEPTOR_POSITION: i32 = 8195;
 pub const MIMO_RECEPTOR_FRAME: i32 = 8196;
 
 /// The model's setting; built-in scenes use sparse.
+///
+/// Experimental.
 pub const MIMO_JACOBIAN_MODEL: i32 = 0;
 
 /// The original's solver, for comparing trajectories to the last digit.
+///
+/// Experimental.
 pub const MIMO_JACOBIAN_DENSE: i32 = 1;
 
 /// The same solution up to rounding, about twice as fast.
+///
+/// Experimental.
 pub const MIMO_JACOBIAN_SPARSE: i32 = 2;
 
 /// No contacts.
@@ -421,21 +515,33 @@ pub const MIMO_DISABLE_CONTACT: u32 = 1;
 pub const MIMO_DISABLE_GRAVITY: u32 = 2;
 
 /// MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower.
+///
+/// Experimental.
 pub const MIMO_DISABLE_OWN_SOLVER: u32 = 4;
 
 /// Lights cast shadows.
+///
+/// Experimental.
 pub const MIMO_RENDER_SHADOWS: u32 = 1;
 
 /// Floors and boxes may mirror the scene.
+///
+/// Experimental.
 pub const MIMO_RENDER_REFLECTIONS: u32 = 2;
 
 /// The scene's sky; without it the background is black.
+///
+/// Experimental.
 pub const MIMO_RENDER_SKY: u32 = 4;
 
 /// Haze at the horizon of an endless floor.
+///
+/// Experimental.
 pub const MIMO_RENDER_HAZE: u32 = 8;
 
 /// Fog, as the scene's MJCF describes it.
+///
+/// Experimental.
 pub const MIMO_RENDER_FOG: u32 = 16;
 
 /// Neither.
@@ -487,6 +593,8 @@ pub const MIMO_FACE: i32 = 12;
 pub const MIMO_WORLD: i32 = 13;
 
 /// Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one.
+///
+/// Experimental.
 pub const MIMO_WARNING: i32 = 14;
 
 /// Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without
@@ -513,6 +621,8 @@ pub const MIMO_BODY_POSE: i32 = 263;
 
 /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
 /// way; 0 for what is no part of one.
+///
+/// Experimental.
 pub const MIMO_BODY_NERVE_LENGTH: i32 = 264;
 
 /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
@@ -591,6 +701,8 @@ pub const MIMO_ACTUATOR_GEAR: i32 = 1539;
 /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
 /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
 /// agent senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
+///
+/// Experimental.
 pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: i32 = 1540;
 
 /// Sensor: its dimension.
@@ -661,6 +773,8 @@ pub const MIMO_AGENT_ACHIEVED: i32 = 2819;
 pub const MIMO_AGENT_AGE: i32 = 2820;
 
 /// Agent: 1, months, of strength, range of motion and tone; likewise.
+///
+/// Experimental.
 pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: i32 = 2821;
 
 /// World: 3, m/s^2, world frame. Writable, W.
@@ -668,6 +782,8 @@ pub const MIMO_WORLD_GRAVITY: i32 = 3329;
 
 /// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
 /// with 0, to count anew.
+///
+/// Experimental.
 pub const MIMO_WARNING_STEPS: i32 = 3585;
 
 /// Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed
@@ -690,21 +806,33 @@ pub const MIMO_AXES_GODOT: i32 = 3;
 pub const MIMO_AXES_GLTF: i32 = 4;
 
 /// One picture, repeated beyond its edges.
+///
+/// Experimental.
 pub const MIMO_TEXTURE_FLAT: i32 = 0;
 
 /// Six square pictures, one above the other; texcoords of meshes refer to them.
+///
+/// Experimental.
 pub const MIMO_TEXTURE_CUBE: i32 = 1;
 
 /// A cube around the scene: right, left, up, down, front, back from inside.
+///
+/// Experimental.
 pub const MIMO_TEXTURE_SKY: i32 = 2;
 
 /// The light that every camera carries.
+///
+/// Experimental.
 pub const MIMO_HEADLIGHT: i32 = -1;
 
 /// Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down.
+///
+/// Experimental.
 pub const MIMO_LOOK_EYES: i32 = 0;
 
 /// The head turns first, the eyes turn the rest.
+///
+/// Experimental.
 pub const MIMO_LOOK_HEAD: i32 = 1;
 
 /// Four bytes per pixel, the last one 255.
@@ -989,10 +1117,16 @@ pub struct mimo_growth {
     /// Age in months, 0 (a newborn) to 24, for size and mass. Default 18.
     pub age: f64,
     /// Months, 0 to 24, for strength, range of motion and tone, if matures_apart is 1.
+    ///
+    /// Experimental.
     pub physiological_age: f64,
     /// 1: physiological_age is used; 0 (default): age is used for all.
+    ///
+    /// Experimental.
     pub matures_apart: u32,
     /// A MIMO_GROWTH_ constant. Default MIMO_GROWTH_WHO.
+    ///
+    /// Experimental.
     pub model: i32,
     /// Its length in standard deviations from the median of age and sex, -3 to 3.
     pub z_length: f64,
@@ -1004,20 +1138,34 @@ pub struct mimo_growth {
     pub percentile: f64,
     /// A muscle's strength per cross-section is proportional to this power of the median length at the physiological
     /// age, 0 to 5; 0: equal at all ages. Default 1.7.
+    ///
+    /// Experimental.
     pub strength_exponent: f64,
     /// Factor of the neck's strength at its age, 0 to 10. Default 1.
+    ///
+    /// Experimental.
     pub neck_strength: f64,
     /// Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5.
+    ///
+    /// Experimental.
     pub birth_tone: f64,
     /// Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to 1. Default 1.
+    ///
+    /// Experimental.
     pub contracture: f64,
     /// 1: length and weight are the WHO's; 0 (default): they are the WHO's relative to the body of 18 months, which is
     /// 4.5 % shorter and 3 % heavier than the median.
+    ///
+    /// Experimental.
     pub absolute: u32,
     /// 1: touch sensors keep the spacing of 18 months, so a smaller body has fewer; 0 (default): their number stays
     /// and their spacing grows with the body.
+    ///
+    /// Experimental.
     pub keep_spacing: u32,
     /// MIMO_MATURITY_ bits; 0 (default): MIMO_MATURITY_BODY.
+    ///
+    /// Experimental.
     pub maturity: u32,
     /// 0.
     pub reserved: u32,
@@ -1080,6 +1228,8 @@ pub struct mimo_agent_config {
     /// A MIMO_FRAME_ constant: of touch/force with three components. Default _BODY.
     pub touch_frame: i32,
     /// MIMO_REFLEX_ bits; adds the field reflex/activation; 0 (default): none.
+    ///
+    /// Experimental.
     pub reflexes: u32,
     /// Divides the distances between sensors: 2 gives 4 times as many. Default 1.
     pub touch_scale: f64,
@@ -1095,10 +1245,14 @@ pub struct mimo_agent_config {
     /// Its age and size; NULL: 18 months.
     pub growth: *const mimo_growth,
     /// MIMO_HEARING_ bits; 0 (default): no hearing.
+    ///
+    /// Experimental.
     pub hearing: u32,
     /// 1: an infant's voice, with four actions after the motors' actions: "voice:loudness", 0 (silent) to 1 (a cry);
     /// "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and "voice:front", 0.7 to 1.3 times the first and second
     /// formant of its age. Every agent with hearing hears it, see docs/guide/hearing.md. 0 (default): no voice.
+    ///
+    /// Experimental.
     pub voice: u32,
 }
 
@@ -1135,6 +1289,8 @@ pub struct mimo_limits {
 ///
 /// Nerve lengths follow from the agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number
 /// of time steps of the model (with attached senses, of the host's steps).
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_maturity {
@@ -1272,6 +1428,8 @@ pub struct mimo_env_config {
     /// (default): the scene's, usually 2.
     pub frame_skip: u32,
     /// A MIMO_JACOBIAN_ constant.
+    ///
+    /// Experimental.
     pub jacobian: i32,
     /// MIMO_DISABLE_ bits.
     pub disable: u32,
@@ -1281,6 +1439,8 @@ pub struct mimo_env_config {
     /// Steps after which an episode is truncated; 0: the task's parameter episode_steps.
     pub max_steps: u32,
     /// 1: enables mimo_env_timing; costs a few clock reads per step.
+    ///
+    /// Experimental.
     pub timing: u32,
     /// Receives messages during create, reset and step, or NULL.
     pub log: mimo_log_fn,
@@ -1289,6 +1449,8 @@ pub struct mimo_env_config {
     /// See mimo_task_name; NULL: the scene's. Every agent performs the task separately.
     pub task: *const c_char,
     /// MIMO_RENDER_ bits: effects that pictures show; the others cost nothing. Default: all except fog.
+    ///
+    /// Experimental.
     pub render: u32,
     /// Samples per pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may use fewer); 0: one ray, or the model's setting
     /// for OpenGL.
@@ -1361,6 +1523,8 @@ pub struct mimo_env_results {
 }
 
 /// The joint positions of one step of a known movement.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_movement {
@@ -1380,6 +1544,8 @@ pub struct mimo_movement {
 }
 
 /// Seconds spent in the parts of steps since the last mimo_env_timing_reset.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_timing {
@@ -1441,6 +1607,8 @@ pub struct mimo_mesh {
 }
 
 /// The appearance of a geom. For its physical material see mimo_scene_set_material.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_appearance {
@@ -1465,6 +1633,8 @@ pub struct mimo_appearance {
 }
 
 /// A texture as pixels. Call mimo_env_texture twice, as for a mesh.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_texture {
@@ -1483,6 +1653,8 @@ pub struct mimo_texture {
 }
 
 /// The current state of a light.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_light {
@@ -1517,6 +1689,8 @@ pub struct mimo_light {
 }
 
 /// The gaze of an infant.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_gaze {
@@ -1611,6 +1785,8 @@ pub struct mimo_load_report {
 }
 
 /// What is recorded, and how.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_recorder_config {
@@ -1639,6 +1815,8 @@ pub struct mimo_recorder_config {
 }
 
 /// What a recording holds. Its strings belong to the recording.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_recording_info {
@@ -1673,6 +1851,8 @@ pub struct mimo_recording_info {
 }
 
 /// What a replay has shown so far.
+///
+/// Experimental.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_replay_report {
@@ -1915,6 +2095,8 @@ pub struct mimo_senses_config {
     /// Passed to log.
     pub log_user: *mut c_void,
     /// MIMO_RENDER_ bits, as in mimo_env_config.
+    ///
+    /// Experimental.
     pub render: u32,
     /// Samples per pixel, as in mimo_env_config.
     pub samples: u32,
@@ -2231,11 +2413,15 @@ extern "C" {
 
     /// Fills a maturity with defaults: perfect eyes, and nerves without delay.
     ///
+    /// Experimental.
+    ///
     /// * `size`: sizeof(mimo_maturity) as the caller knows it.
     pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
 
     /// Fills a maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0;
     /// measured values for flicker are 4, 8 and 15 Hz at 2, 4 and 12 months.
+    ///
+    /// Experimental.
     ///
     /// * `age`: months, 0 (a newborn) to 24.
     ///
@@ -2248,6 +2434,8 @@ extern "C" {
     ///
     /// Errors: MIMO_E_INVALID_ARGUMENT for nerves with delays of an agent that is not an infant.
     ///
+    /// Experimental.
+    ///
     /// * `maturity`: NULL: by the age and the member maturity of the agent's mimo_growth.
     pub fn mimo_scene_set_maturity(scene: *mut mimo_scene, agent: usize, maturity: *const mimo_maturity) -> mimo_status;
 
@@ -2257,6 +2445,8 @@ extern "C" {
     ///
     /// Errors: MIMO_E_NOT_FOUND for an unknown body; the message lists the infant's bodies. For an agent with a root
     /// the error comes when an environment is made or senses are attached.
+    ///
+    /// Experimental.
     ///
     /// * `body`: name of a body without its agent's name, "left_hand"; NULL: every body, which replaces what was set
     /// for single ones before.
@@ -2268,6 +2458,8 @@ extern "C" {
     /// in which naked skin has 33.0. Infants have the temperature of skin in that room. For environments made and
     /// senses attached from now on.
     ///
+    /// Experimental.
+    ///
     /// * `celsius`: -40 to 80.
     pub fn mimo_scene_set_room_temperature(scene: *mut mimo_scene, celsius: f64) -> mimo_status;
 
@@ -2275,6 +2467,8 @@ extern "C" {
     /// If several calls set a body, the last one applies. A flex of MuJoCo 4 belongs to a body if all its vertices do.
     ///
     /// Errors: mimo_env_create and mimo_senses_attach return MIMO_E_NOT_FOUND for an unknown body.
+    ///
+    /// Experimental.
     ///
     /// * `body`: its name in the model, "cup", "anna/left_hand".
     ///
@@ -2286,6 +2480,8 @@ extern "C" {
     ///
     /// Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of all; bodies as in mimo_scene_set_temperature.
     ///
+    /// Experimental.
+    ///
     /// * `body`: as in mimo_scene_set_temperature.
     ///
     /// * `material`: one of mimo_material_name.
@@ -2294,6 +2490,8 @@ extern "C" {
     /// Name of the index-th material, or NULL past the last: "copper", "aluminium", "steel", "granite", "glass",
     /// "water", "polyethylene", "plastic", "rubber", "leather", "hardwood", "softwood", "cotton", "cork", "foam",
     /// "skin", "iron", "ceramic", "cardboard", "concrete", "carpet". Static string.
+    ///
+    /// Experimental.
     pub fn mimo_material_name(index: usize) -> *const c_char;
 
     /// Returns the sizes. Set info->struct_size first.
@@ -2440,6 +2638,8 @@ extern "C" {
     /// MIMO_E_UNSUPPORTED for models with an integrator other than Euler; MIMO_E_SIMULATION as mimo_env_step, also if
     /// positions or the resulting velocities or accelerations exceed 1e10: the block is not written.
     ///
+    /// Experimental.
+    ///
     /// * `block`: receives the observation; NULL with block_bytes 0 skips the senses.
     pub fn mimo_env_follow(env: *mut mimo_env, movement: *const mimo_movement, block: *mut c_void, block_bytes: usize) -> mimo_status;
 
@@ -2467,9 +2667,13 @@ extern "C" {
     pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
 
     /// Reads the timing; all 0 unless the environment was made with timing = 1. Set timing->struct_size first.
+    ///
+    /// Experimental.
     pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
 
     /// Resets the timing to 0.
+    ///
+    /// Experimental.
     pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
 
     /// Number of elements of a kind (MIMO_BODY ...) in the world.
@@ -2558,27 +2762,39 @@ extern "C" {
     pub fn mimo_env_mesh(env: *const mimo_env, geom: i32, mesh: *mut mimo_mesh) -> mimo_status;
 
     /// Current appearance of a geom. Set appearance->struct_size first.
+    ///
+    /// Experimental.
     pub fn mimo_env_appearance(env: *const mimo_env, geom: i32, appearance: *mut mimo_appearance) -> mimo_status;
 
     /// Number of textures; ids are 0 to count - 1.
+    ///
+    /// Experimental.
     pub fn mimo_env_texture_count(env: *const mimo_env, count: *mut usize) -> mimo_status;
 
     /// A texture. Set texture->struct_size, pixels and pixel_bytes first.
+    ///
+    /// Experimental.
     pub fn mimo_env_texture(env: *const mimo_env, texture_id: i32, texture: *mut mimo_texture) -> mimo_status;
 
     /// A light. Set light->struct_size and axes first.
+    ///
+    /// Experimental.
     ///
     /// * `id`: a MIMO_LIGHT, or MIMO_HEADLIGHT.
     pub fn mimo_env_light(env: *const mimo_env, id: i32, light: *mut mimo_light) -> mimo_status;
 
     /// The gaze of an agent, from the poses of its eyes' cameras that mimo_env_get returns: after a step those at the
     /// start of the last physics step, after mimo_env_update the current ones. Set gaze->struct_size first.
+    ///
+    /// Experimental.
     pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
 
     /// Computes the joint angles with which an agent looks at a point from the current position of its chest, without
     /// moving anything: for position control, for locks, or for mimo_env_set. The torsion of the eyes is 0.
     ///
     /// Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL.
+    ///
+    /// Experimental.
     ///
     /// * `point`: three numbers, metres, world frame.
     ///
@@ -2599,6 +2815,8 @@ extern "C" {
 
     /// Makes an agent look at a point at once: sets its joints as mimo_env_set does. In the next step springs and
     /// motors move them again.
+    ///
+    /// Experimental.
     ///
     /// * `errors`: as in mimo_env_look_angles.
     pub fn mimo_env_look_at(env: *mut mimo_env, agent: usize, point: *const f64, how: i32, errors: *mut f64) -> mimo_status;
@@ -2657,6 +2875,8 @@ extern "C" {
 
     /// Fills a config with defaults.
     ///
+    /// Experimental.
+    ///
     /// * `size`: sizeof(mimo_recorder_config) as the caller knows it.
     pub fn mimo_recorder_config_init(config: *mut mimo_recorder_config, size: usize) -> mimo_status;
 
@@ -2678,6 +2898,8 @@ extern "C" {
     /// that cannot be made, and for one that is there and is not to be replaced, is no whole recording or is in use;
     /// MIMO_E_SIMULATION for a world that has failed.
     ///
+    /// Experimental.
+    ///
     /// * `path`: of the file.
     ///
     /// * `config`: NULL means defaults.
@@ -2688,6 +2910,8 @@ extern "C" {
     /// Puts everything on its way to the disk now.
     ///
     /// Errors: MIMO_E_FILE for what could not be written, now or before.
+    ///
+    /// Experimental.
     pub fn mimo_recorder_flush(recorder: *mut mimo_recorder) -> mimo_status;
 
     /// Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed
@@ -2695,6 +2919,8 @@ extern "C" {
     ///
     /// Errors: as mimo_recorder_flush. MIMO_E_BUSY within a step of the world, and while another thread uses the
     /// world: the recorder then stays.
+    ///
+    /// Experimental.
     pub fn mimo_recorder_close(recorder: *mut mimo_recorder) -> mimo_status;
 
     /// Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md
@@ -2703,20 +2929,28 @@ extern "C" {
     /// Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there
     /// is no such file; MIMO_E_FILE for what is no recording, or was cut off.
     ///
+    /// Experimental.
+    ///
     /// * `hdf5`: path of the HDF5 library, or NULL.
     ///
     /// * `recording`: receives the handle; destroy it with mimo_recording_destroy.
     pub fn mimo_recording_open(path: *const c_char, hdf5: *const c_char, recording: *mut *mut mimo_recording) -> mimo_status;
 
     /// Closes a recording. NULL and destroyed handles are ignored.
+    ///
+    /// Experimental.
     pub fn mimo_recording_destroy(recording: *mut mimo_recording);
 
     /// Describes a recording. Set info->struct_size first.
+    ///
+    /// Experimental.
     pub fn mimo_recording_describe(recording: *const mimo_recording, info: *mut mimo_recording_info) -> mimo_status;
 
     /// How many rows a dataset has ("actions", "joints/position", "fields/hearing/ear_left"), and how long they are.
     ///
     /// Errors: MIMO_E_NOT_FOUND where the recording does not have it.
+    ///
+    /// Experimental.
     ///
     /// * `rows`: receive the sizes; either may be NULL.
     ///
@@ -2724,6 +2958,8 @@ extern "C" {
     pub fn mimo_recording_size(recording: *const mimo_recording, dataset: *const c_char, rows: *mut usize, row_bytes: *mut usize) -> mimo_status;
 
     /// Reads rows of a dataset, as numbers of the type that they have in the file.
+    ///
+    /// Experimental.
     ///
     /// * `first`: which; all of them must be there.
     ///
@@ -2739,6 +2975,8 @@ extern "C" {
     /// Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then
     /// stays as it is; as mimo_env_state_load, and then the world has been reset.
     ///
+    /// Experimental.
+    ///
     /// * `step`: 0 to the recording's steps.
     ///
     /// * `compare_fields`: 1: recorded fields are compared as well; 0: the world senses otherwise.
@@ -2753,6 +2991,8 @@ extern "C" {
     /// Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
     /// MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
     ///
+    /// Experimental.
+    ///
     /// * `block`: as in mimo_env_step.
     ///
     /// * `block_bytes`: as in mimo_env_step.
@@ -2761,6 +3001,8 @@ extern "C" {
     pub fn mimo_recording_step(recording: *mut mimo_recording, env: *mut mimo_env, block: *mut c_void, block_bytes: usize, results: *const mimo_env_results) -> mimo_status;
 
     /// Tells of the replay. Set report->struct_size first.
+    ///
+    /// Experimental.
     pub fn mimo_recording_report(recording: *const mimo_recording, report: *mut mimo_replay_report) -> mimo_status;
 
     /// Fills a config with defaults: one world, all cores, no automatic reset.
@@ -2968,6 +3210,8 @@ extern "C" {
     /// Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or one whose agent senses none. Nothing changes
     /// then.
     ///
+    /// Experimental.
+    ///
     /// * `actuators`: ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all
     /// that have spindles.
     ///
@@ -2996,6 +3240,8 @@ extern "C" {
     /// Sets the room for played sounds, for environments made and senses attached from now on in which an agent hears.
     /// It is part of a world's state, with 4 bytes per sample.
     ///
+    /// Experimental.
+    ///
     /// * `count`: bodies that play at the same time, 1 to 64. Default 4.
     ///
     /// * `seconds`: of sound that may wait at each body, 0.01 to 600. Default 4.
@@ -3005,6 +3251,8 @@ extern "C" {
     /// default it starts at the body's centre of mass, equally in all directions. At an angle a from the axis, sound
     /// has 1 - directivity + directivity cos(a) of its strength on the axis: directivity 0 is equal everywhere, 0.25
     /// half as strong behind, 0.5 silent behind (a cardioid), 1 a figure of eight.
+    ///
+    /// Experimental.
     ///
     /// * `body`: its name in the model, "caregiver", "anna/head"; an unknown one is refused when a world is made.
     ///
@@ -3024,6 +3272,8 @@ extern "C" {
     /// samples that are not finite or exceed the room, another rate, and one body more than may play at once. None of
     /// the samples is played then.
     ///
+    /// Experimental.
+    ///
     /// * `body`: its name in the model, "cup", "anna/head".
     ///
     /// * `samples`: sound pressure at 1 m from the body, Pa; 0.02 is conversation, 1 is 94 dB.
@@ -3034,5 +3284,7 @@ extern "C" {
     pub fn mimo_env_play(env: *mut mimo_env, body: *const c_char, samples: *const f32, count: usize, rate: f64) -> mimo_status;
 
     /// As mimo_env_play, for attached senses: from their next mimo_senses_advance on.
+    ///
+    /// Experimental.
     pub fn mimo_senses_play(senses: *mut mimo_senses, body: *const c_char, samples: *const f32, count: usize, rate: f64) -> mimo_status;
 }

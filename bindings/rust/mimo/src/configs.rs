@@ -366,6 +366,8 @@ impl Growth {
     }
 
     /// A [`GrowthModel`](crate::GrowthModel) constant. Default [`GrowthModel::WHO`](crate::GrowthModel::WHO).
+    ///
+    /// Experimental.
     pub fn model(&mut self, model: GrowthModel) -> &mut Self {
         self.raw.model = model.raw();
         self
@@ -397,24 +399,32 @@ impl Growth {
 
     /// A muscle's strength per cross-section is proportional to this power of the median length at the physiological
     /// age, 0 to 5; 0: equal at all ages. Default 1.7.
+    ///
+    /// Experimental.
     pub fn strength_exponent(&mut self, strength_exponent: f64) -> &mut Self {
         self.raw.strength_exponent = strength_exponent;
         self
     }
 
     /// Factor of the neck's strength at its age, 0 to 10. Default 1.
+    ///
+    /// Experimental.
     pub fn neck_strength(&mut self, neck_strength: f64) -> &mut Self {
         self.raw.neck_strength = neck_strength;
         self
     }
 
     /// Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5.
+    ///
+    /// Experimental.
     pub fn birth_tone(&mut self, birth_tone: f64) -> &mut Self {
         self.raw.birth_tone = birth_tone;
         self
     }
 
     /// Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to 1. Default 1.
+    ///
+    /// Experimental.
     pub fn contracture(&mut self, contracture: f64) -> &mut Self {
         self.raw.contracture = contracture;
         self
@@ -422,6 +432,8 @@ impl Growth {
 
     /// true: length and weight are the WHO's; false (default): they are the WHO's relative to the body of 18 months,
     /// which is 4.5 % shorter and 3 % heavier than the median.
+    ///
+    /// Experimental.
     pub fn absolute(&mut self, absolute: bool) -> &mut Self {
         self.raw.absolute = absolute.into();
         self
@@ -429,12 +441,16 @@ impl Growth {
 
     /// true: touch sensors keep the spacing of 18 months, so a smaller body has fewer; false (default): their number
     /// stays and their spacing grows with the body.
+    ///
+    /// Experimental.
     pub fn keep_spacing(&mut self, keep_spacing: bool) -> &mut Self {
         self.raw.keep_spacing = keep_spacing.into();
         self
     }
 
     /// [`Mature`](crate::Mature) bits; empty (default): [`Mature::BODY`](crate::Mature::BODY).
+    ///
+    /// Experimental.
     pub fn maturity(&mut self, maturity: Mature) -> &mut Self {
         self.raw.maturity = maturity.raw();
         self
@@ -613,6 +629,8 @@ impl AgentConfig {
     }
 
     /// [`Reflex`](crate::Reflex) bits; adds the field reflex/activation; empty (default): none.
+    ///
+    /// Experimental.
     pub fn reflexes(&mut self, reflexes: Reflex) -> &mut Self {
         self.raw.reflexes = reflexes.raw();
         self
@@ -656,6 +674,8 @@ impl AgentConfig {
     }
 
     /// [`Hearing`](crate::Hearing) bits; empty (default): no hearing.
+    ///
+    /// Experimental.
     pub fn hearing(&mut self, hearing: Hearing) -> &mut Self {
         self.raw.hearing = hearing.raw();
         self
@@ -665,6 +685,8 @@ impl AgentConfig {
     /// cry); "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and "voice:front", 0.7 to 1.3 times the first and
     /// second formant of its age. Every agent with hearing hears it, see docs/guide/hearing.md. false (default): no
     /// voice.
+    ///
+    /// Experimental.
     pub fn voice(&mut self, voice: bool) -> &mut Self {
         self.raw.voice = voice.into();
         self
@@ -710,6 +732,8 @@ impl EnvConfig {
     }
 
     /// A [`Jacobian`](crate::Jacobian) constant.
+    ///
+    /// Experimental.
     pub fn jacobian(&mut self, jacobian: Jacobian) -> &mut Self {
         self.raw.jacobian = jacobian.raw();
         self
@@ -735,6 +759,8 @@ impl EnvConfig {
     }
 
     /// true: enables [`mimo_env_timing`](crate::sys::mimo_env_timing); costs a few clock reads per step.
+    ///
+    /// Experimental.
     pub fn timing(&mut self, timing: bool) -> &mut Self {
         self.raw.timing = timing.into();
         self
@@ -754,6 +780,8 @@ impl EnvConfig {
     }
 
     /// [`Render`](crate::Render) bits: effects that pictures show; the others cost nothing. Default: all except fog.
+    ///
+    /// Experimental.
     pub fn render(&mut self, render: Render) -> &mut Self {
         self.raw.render = render.raw();
         self
@@ -858,6 +886,8 @@ impl PictureConfig {
 }
 
 /// What is recorded, and how.
+///
+/// Experimental.
 #[derive(Clone, Debug)]
 pub struct RecorderConfig {
     pub(crate) raw: sys::mimo_recorder_config,
@@ -1063,6 +1093,8 @@ impl SensesConfig {
     }
 
     /// [`Render`](crate::Render) bits, as in [`EnvConfig`](crate::EnvConfig).
+    ///
+    /// Experimental.
     pub fn render(&mut self, render: Render) -> &mut Self {
         self.raw.render = render.raw();
         self

@@ -52,20 +52,36 @@ values! {
     /// What physics warns of; also the ids of Kind.WARNING.
     WarningCode: i32
     /// More contacts than the model's nconmax: some are missing.
+    ///
+    /// Experimental.
     CONTACTS_DROPPED = MIMO_WARNING_CONTACTS_DROPPED,
     /// More constraints than the model's njmax: some are missing.
+    ///
+    /// Experimental.
     CONSTRAINTS_DROPPED = MIMO_WARNING_CONSTRAINTS_DROPPED,
     /// A position is not a number, or huge: the world has failed.
+    ///
+    /// Experimental.
     BAD_POSITION = MIMO_WARNING_BAD_POSITION,
     /// The same for a velocity.
+    ///
+    /// Experimental.
     BAD_VELOCITY = MIMO_WARNING_BAD_VELOCITY,
     /// The same for an acceleration.
+    ///
+    /// Experimental.
     BAD_ACCELERATION = MIMO_WARNING_BAD_ACCELERATION,
     /// A control is not a number, or huge: the step used 0 for all controls.
+    ///
+    /// Experimental.
     BAD_CONTROL = MIMO_WARNING_BAD_CONTROL,
     /// The inertia matrix is nearly singular.
+    ///
+    /// Experimental.
     INERTIA = MIMO_WARNING_INERTIA,
     /// The solver stopped at its last iteration; counted, not logged.
+    ///
+    /// Experimental.
     NOT_CONVERGED = MIMO_WARNING_NOT_CONVERGED,
 }
 
@@ -100,8 +116,12 @@ values! {
     GrowthModel: i32
     /// The [`GrowthModel::WHO`](crate::GrowthModel::WHO)'s child growth standards and measured infants:
     /// docs/guide/growth.md.
+    ///
+    /// Experimental.
     WHO = MIMO_GROWTH_WHO,
     /// The rules of MIMo's second version, for comparison.
+    ///
+    /// Experimental.
     ORIGINAL = MIMO_GROWTH_ORIGINAL,
 }
 
@@ -109,17 +129,29 @@ flags! {
     /// What of an infant is as old as the infant.
     Mature: u32
     /// Size, mass, strength and joints. 0 means this bit.
+    ///
+    /// Experimental.
     BODY = MIMO_MATURITY_BODY,
     /// Its eyes' acuity and colour, by its physiological age: [`mimo_maturity_at`](crate::sys::mimo_maturity_at).
+    ///
+    /// Experimental.
     EYES = MIMO_MATURITY_EYES,
     /// The delays of its nerves to and from the brain, by its physiological age.
+    ///
+    /// Experimental.
     DELAYS = MIMO_MATURITY_DELAYS,
     /// With [`Mature::EYES`](crate::Mature::EYES): contrasts below the threshold disappear.
+    ///
+    /// Experimental.
     THRESHOLD = MIMO_MATURITY_THRESHOLD,
     /// With [`Mature::EYES`](crate::Mature::EYES): changes above the flicker limit are blurred.
+    ///
+    /// Experimental.
     FLICKER = MIMO_MATURITY_FLICKER,
     /// All bits of the loaded library except [`Mature::THRESHOLD`](crate::Mature::THRESHOLD) and
     /// [`Mature::FLICKER`](crate::Mature::FLICKER).
+    ///
+    /// Experimental.
     ALL = MIMO_MATURITY_ALL,
 }
 
@@ -142,12 +174,20 @@ flags! {
     EFFORT = MIMO_PROPRIOCEPTION_EFFORT,
     /// Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
     /// proprioception/spindle_primary, two muscles per motor: Ia.
+    ///
+    /// Experimental.
     SPINDLE_PRIMARY = MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY,
     /// proprioception/spindle_secondary, the same shape: II.
+    ///
+    /// Experimental.
     SPINDLE_SECONDARY = MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY,
     /// proprioception/tendon_organ, the same shape: Ib.
+    ///
+    /// Experimental.
     TENDON_ORGAN = MIMO_PROPRIOCEPTION_TENDON_ORGAN,
     /// proprioception/joint_receptor, joints x 2: near its ends.
+    ///
+    /// Experimental.
     JOINT_RECEPTOR = MIMO_PROPRIOCEPTION_JOINT_RECEPTOR,
     /// All bits of the loaded library.
     ALL = MIMO_PROPRIOCEPTION_ALL,
@@ -172,10 +212,16 @@ flags! {
     /// vestibular/angular_velocity, 3, rad/s.
     ANGULAR_VELOCITY = MIMO_VESTIBULAR_ANGULAR_VELOCITY,
     /// vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md.
+    ///
+    /// Experimental.
     CANALS = MIMO_VESTIBULAR_CANALS,
     /// vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md.
+    ///
+    /// Experimental.
     OTOLITHS = MIMO_VESTIBULAR_OTOLITHS,
     /// vestibular/gravity, 3, m/s^2: the estimated direction of up.
+    ///
+    /// Experimental.
     GRAVITY = MIMO_VESTIBULAR_GRAVITY,
 }
 
@@ -183,8 +229,12 @@ flags! {
     /// What both ears hear.
     Hearing: u32
     /// hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa.
+    ///
+    /// Experimental.
     EARS = MIMO_HEARING_EARS,
     /// hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s.
+    ///
+    /// Experimental.
     BANDS = MIMO_HEARING_BANDS,
 }
 
@@ -258,22 +308,40 @@ flags! {
     Reflex: u32
     /// Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. Fingers
     /// close on pressure on the palm; needs five fingers.
+    ///
+    /// Experimental.
     PALMAR_GRASP = MIMO_REFLEX_PALMAR_GRASP,
     /// Toes curl on pressure on the ball of the foot.
+    ///
+    /// Experimental.
     PLANTAR_GRASP = MIMO_REFLEX_PLANTAR_GRASP,
     /// The head turns towards a touch at a corner of the mouth.
+    ///
+    /// Experimental.
     ROOTING = MIMO_REFLEX_ROOTING,
     /// The head drops: arms open, then close.
+    ///
+    /// Experimental.
     MORO = MIMO_REFLEX_MORO,
     /// The head turns: limbs stretch on that side, bend on the other.
+    ///
+    /// Experimental.
     ASYMMETRIC_TONIC_NECK = MIMO_REFLEX_ASYMMETRIC_TONIC_NECK,
     /// Upright on its feet, leaning forward: legs step in turn.
+    ///
+    /// Experimental.
     STEPPING = MIMO_REFLEX_STEPPING,
     /// Legs draw back from a touch or a prick.
+    ///
+    /// Experimental.
     WITHDRAWAL = MIMO_REFLEX_WITHDRAWAL,
     /// reflex/activation has all reflexes that this body can show.
+    ///
+    /// Experimental.
     FELT = MIMO_REFLEX_FELT,
     /// All reflexes of the loaded library that this body can show.
+    ///
+    /// Experimental.
     ALL = MIMO_REFLEX_ALL,
 }
 
@@ -290,25 +358,45 @@ flags! {
     FRICTION_USE = MIMO_TOUCH_FRICTION_USE,
     /// Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise; off by default.
     /// touch/sa1: depth of indentation.
+    ///
+    /// Experimental.
     SA1 = MIMO_TOUCH_SA1,
     /// touch/ra: speed of indentation, and sliding.
+    ///
+    /// Experimental.
     RA = MIMO_TOUCH_RA,
     /// touch/pc: jolts and vibration, as an envelope.
+    ///
+    /// Experimental.
     PC = MIMO_TOUCH_PC,
     /// touch/sa2, N x 2: stretch along the sensor's two tangents.
+    ///
+    /// Experimental.
     SA2 = MIMO_TOUCH_SA2,
     /// touch/temperature: of the skin's surface, degrees Celsius.
+    ///
+    /// Experimental.
     TEMPERATURE = MIMO_TOUCH_TEMPERATURE,
     /// touch/cold.
+    ///
+    /// Experimental.
     COLD = MIMO_TOUCH_COLD,
     /// touch/warm.
+    ///
+    /// Experimental.
     WARM = MIMO_TOUCH_WARM,
     /// touch/nociception_fast: pricks and heat, at once.
+    ///
+    /// Experimental.
     NOCICEPTION_FAST = MIMO_TOUCH_NOCICEPTION_FAST,
     /// touch/nociception_slow: pricks, heat and cold, late and lasting.
+    ///
+    /// Experimental.
     NOCICEPTION_SLOW = MIMO_TOUCH_NOCICEPTION_SLOW,
     /// touch/units, N x 4: number of [`Touch::SA1`](crate::Touch::SA1), [`Touch::RA`](crate::Touch::RA),
     /// [`Touch::PC`](crate::Touch::PC), [`Touch::SA2`](crate::Touch::SA2) units per sensor.
+    ///
+    /// Experimental.
     UNITS = MIMO_TOUCH_UNITS,
 }
 
@@ -367,10 +455,16 @@ values! {
     /// How constraints are solved: the same solution to rounding.
     Jacobian: i32
     /// The model's setting; built-in scenes use sparse.
+    ///
+    /// Experimental.
     MODEL = MIMO_JACOBIAN_MODEL,
     /// The original's solver, for comparing trajectories to the last digit.
+    ///
+    /// Experimental.
     DENSE = MIMO_JACOBIAN_DENSE,
     /// The same solution up to rounding, about twice as fast.
+    ///
+    /// Experimental.
     SPARSE = MIMO_JACOBIAN_SPARSE,
 }
 
@@ -382,6 +476,8 @@ flags! {
     /// No gravity.
     GRAVITY = MIMO_DISABLE_GRAVITY,
     /// MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower.
+    ///
+    /// Experimental.
     OWN_SOLVER = MIMO_DISABLE_OWN_SOLVER,
 }
 
@@ -389,14 +485,24 @@ flags! {
     /// What pictures show; what is left out costs nothing.
     Render: u32
     /// Lights cast shadows.
+    ///
+    /// Experimental.
     SHADOWS = MIMO_RENDER_SHADOWS,
     /// Floors and boxes may mirror the scene.
+    ///
+    /// Experimental.
     REFLECTIONS = MIMO_RENDER_REFLECTIONS,
     /// The scene's sky; without it the background is black.
+    ///
+    /// Experimental.
     SKY = MIMO_RENDER_SKY,
     /// Haze at the horizon of an endless floor.
+    ///
+    /// Experimental.
     HAZE = MIMO_RENDER_HAZE,
     /// Fog, as the scene's MJCF describes it.
+    ///
+    /// Experimental.
     FOG = MIMO_RENDER_FOG,
 }
 
@@ -441,6 +547,8 @@ values! {
     /// The world itself: id 0, without a name.
     WORLD = MIMO_WORLD,
     /// Kinds of warnings: the ids are [`WarningCode`](crate::WarningCode) constants, 0 is any other one.
+    ///
+    /// Experimental.
     WARNING = MIMO_WARNING,
 }
 
@@ -466,6 +574,8 @@ values! {
     BODY_POSE = MIMO_BODY_POSE,
     /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
     /// their way; 0 for what is no part of one.
+    ///
+    /// Experimental.
     BODY_NERVE_LENGTH = MIMO_BODY_NERVE_LENGTH,
     /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
     JOINT_POSITION = MIMO_JOINT_POSITION,
@@ -521,6 +631,8 @@ values! {
     /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where
     /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`](crate::Proprioception::SPINDLE_PRIMARY) or
     /// _SECONDARY. Writable.
+    ///
+    /// Experimental.
     ACTUATOR_FUSIMOTOR_DRIVE = MIMO_ACTUATOR_FUSIMOTOR_DRIVE,
     /// Sensor: its dimension.
     SENSOR_VALUE = MIMO_SENSOR_VALUE,
@@ -569,11 +681,15 @@ values! {
     /// Agent: 1, months, as [`Growth`](crate::Growth) says: of size and mass. None where the agent is no infant.
     AGENT_AGE = MIMO_AGENT_AGE,
     /// Agent: 1, months, of strength, range of motion and tone; likewise.
+    ///
+    /// Experimental.
     AGENT_PHYSIOLOGICAL_AGE = MIMO_AGENT_PHYSIOLOGICAL_AGE,
     /// World: 3, m/s^2, world frame. Writable, W.
     WORLD_GRAVITY = MIMO_WORLD_GRAVITY,
     /// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
     /// with 0, to count anew.
+    ///
+    /// Experimental.
     WARNING_STEPS = MIMO_WARNING_STEPS,
 }
 
@@ -596,10 +712,16 @@ values! {
     /// How a texture's pixels are arranged.
     TextureType: i32
     /// One picture, repeated beyond its edges.
+    ///
+    /// Experimental.
     FLAT = MIMO_TEXTURE_FLAT,
     /// Six square pictures, one above the other; texcoords of meshes refer to them.
+    ///
+    /// Experimental.
     CUBE = MIMO_TEXTURE_CUBE,
     /// A cube around the scene: right, left, up, down, front, back from inside.
+    ///
+    /// Experimental.
     SKY = MIMO_TEXTURE_SKY,
 }
 
@@ -607,8 +729,12 @@ values! {
     /// What turns to look at a point.
     Look: i32
     /// Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down.
+    ///
+    /// Experimental.
     EYES = MIMO_LOOK_EYES,
     /// The head turns first, the eyes turn the rest.
+    ///
+    /// Experimental.
     HEAD = MIMO_LOOK_HEAD,
 }
 

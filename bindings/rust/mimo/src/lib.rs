@@ -23,7 +23,8 @@
 //! the others are `&mut self` methods.
 //!
 //! Constants are those of C in types of their own: [`Quantity::BODY_POSITION`] is `MIMO_BODY_POSITION`, and
-//! `Touch::FORCE | Touch::SLIP` are two bits. Functions that have no safe form yet are in [`sys`].
+//! `Touch::FORCE | Touch::SLIP` are two bits. Functions that have no safe form yet are in [`sys`]. Items that
+//! say "Experimental." may change with any version: docs/abi.md.
 #![warn(missing_docs, missing_debug_implementations)]
 
 pub use mimo_sys as sys;

@@ -49,6 +49,8 @@ impl Limits {
 /// Nerve lengths follow from the agent's own body
 /// ([`Quantity::BODY_NERVE_LENGTH`](crate::Quantity::BODY_NERVE_LENGTH)). Delays are rounded to the nearest number of
 /// time steps of the model (with attached senses, of the host's steps).
+///
+/// Experimental.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Maturity {
     /// true: contrasts below the threshold disappear; false (default): they stay. Needs an acuity.
@@ -130,6 +132,8 @@ impl Term {
 }
 
 /// Seconds spent in the parts of steps since the last [`mimo_env_timing_reset`](crate::sys::mimo_env_timing_reset).
+///
+/// Experimental.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Timing {
@@ -159,6 +163,8 @@ impl Timing {
 
 /// The appearance of a geom. For its physical material see
 /// [`mimo_scene_set_material`](crate::sys::mimo_scene_set_material).
+///
+/// Experimental.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Appearance {
@@ -187,6 +193,8 @@ impl Appearance {
 }
 
 /// The current state of a light.
+///
+/// Experimental.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Light {
@@ -221,6 +229,8 @@ impl Light {
 }
 
 /// What a recording holds. Its strings belong to the recording.
+///
+/// Experimental.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct RecordingInfo {
@@ -257,6 +267,8 @@ impl RecordingInfo {
 }
 
 /// What a replay has shown so far.
+///
+/// Experimental.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ReplayReport {
