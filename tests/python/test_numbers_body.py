@@ -151,7 +151,7 @@ def test_lengths_of_episodes():
     page.says("* `success`: {} when the right arm or hand touches the ball", parameters["reach/success_reward"])
     page.says("Success is a head at {} m or above", parameters["standup/success_height"])
     page.says("* `success`: {} when the target feels a force", parameters["selfbody/success_reward"])
-    page.says("* `no_touch`: else {}.", -abs(parameters["selfbody/no_touch_reward"]))
+    page.says("* `no_touch`: otherwise {}.", -abs(parameters["selfbody/no_touch_reward"]))
 
 
 def test_motors_that_act():
@@ -183,14 +183,14 @@ def test_babybench_s_motors():
     page.says("| acts | all, {} motors | all but feet and eyes, {} motors | head, arms, wrists, {} motors |", *motors)
     parameters = mimo.Scene("babybench-base").parameters
     page.says("An episode starts with {} physics steps without control", parameters["selftouch/settle_steps"])
-    page.says("then {} in which each action is drawn", parameters["selftouch/warm_up_steps"])
+    page.says("then {} with random actions within their", parameters["selftouch/warm_up_steps"])
     page.says("less than {} degrees beside the axis is looked at", np.rad2deg(parameters["handregard/angle"]))
 
 
 def test_parameters_of_tasks():
     page, parameters = Page("tasks.md"), mimo.Scene("reach").parameters
     page.says("Success is a posture of {} (144 degrees)", parameters["rollover/success"])
-    page.says("(at birth {} of the stature", infant(age=0).agents[0].height / infant().agents[0].height)
+    page.says("(the stature at birth is {},", infant(age=0).agents[0].height / infant().agents[0].height)
     page.says(
         "another ball, {} to {} mm in radius and {} to {} g",
         *(1e3 * parameters[f"catch/{name}"] for name in ("radius_low", "radius_high", "mass_low", "mass_high")),
