@@ -210,8 +210,8 @@ MIMO_API mimo_status mimo_env_get(const mimo_env *env, mimo_quantity quantity, c
                                   double *values, size_t value_count) MIMO_NOEXCEPT;
 
 /** The same in single precision, for engines. */
-MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, mimo_quantity quantity, const int32_t *ids, size_t id_count,
-                                        float *values, size_t value_count) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, mimo_quantity quantity, const int32_t *ids,
+                                        size_t id_count, float *values, size_t value_count) MIMO_NOEXCEPT;
 
 /**
  * Writes a quantity of many elements at once; of an id that occurs twice the last value applies. Quaternions and
