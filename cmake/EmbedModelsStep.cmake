@@ -30,9 +30,9 @@ if(count EQUAL 0)
 endif()
 
 file(WRITE ${OUT}/resources.cpp
-     "// Made by cmake/EmbedModelsStep.cmake.\n#include \"scene/resources.h\"\n\n${declarations}\n"
-     "namespace mimo::scene {\n\nconst Resource kResources[] = {\n${table}};\n"
-     "const std::size_t kResourceCount = ${count};\n\n}  // namespace mimo::scene\n")
+     "// Made by cmake/EmbedModelsStep.cmake.\n#include \"document/resources.h\"\n\n${declarations}\n"
+     "namespace mimo::document {\n\nconst Resource kResources[] = {\n${table}};\n"
+     "const std::size_t kResourceCount = ${count};\n\n}  // namespace mimo::document\n")
 if(METHOD STREQUAL "incbin")
   file(WRITE ${OUT}/resources.S "${assembly}  .section .note.GNU-stack,\"\",%progbits\n")
 endif()

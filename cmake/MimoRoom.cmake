@@ -10,23 +10,29 @@
 set(MIMO_ROOMS ${CMAKE_BINARY_DIR}/rooms)
 
 # mimo_on_this_platform(<variable>): leaves out of a list of sources what is for another system: *_windows.cpp is for
-# Windows, *_posix.cpp for all others.
+# Windows, *_posix.cpp for all others; *_linux.cpp is for Linux, *_elsewhere.cpp for all others.
 function(mimo_on_this_platform variable)
   if(WIN32)
     list(FILTER ${variable} EXCLUDE REGEX "_posix\\.cpp$")
   else()
     list(FILTER ${variable} EXCLUDE REGEX "_windows\\.cpp$")
   endif()
+  if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    list(FILTER ${variable} EXCLUDE REGEX "_elsewhere\\.cpp$")
+  else()
+    list(FILTER ${variable} EXCLUDE REGEX "_linux\\.cpp$")
+  endif()
   set(${variable} ${${variable}} PARENT_SCOPE)
 endfunction()
 
-# mimo_room(<name> ABOUT <text> [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
+# mimo_room(<name> ABOUT <text> [OUTSIDE] [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
 #           [LINUX_ELSE <file>])
 # Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only. ABOUT says in a
 # line what the room does. Whoever sees a room's headers sees those of its LIBRARIES as well. The file of LINUX_ELSE is
-# all that the room has on other systems than Linux, and is left out there.
+# all that the room has on other systems than Linux, and is left out there. A room with OUTSIDE is a part of programs,
+# not of libmimo.so: it is written against the public headers, like any user's program.
 function(mimo_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "ABOUT;LINUX_ELSE" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "OUTSIDE" "ABOUT;LINUX_ELSE" "DEPENDS;LIBRARIES;SOURCES")
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
   set(include_dir ${MIMO_ROOMS}/${name})
   file(MAKE_DIRECTORY ${include_dir})
@@ -43,7 +49,11 @@ function(mimo_room name)
   list(TRANSFORM room_DEPENDS PREPEND mimo_ OUTPUT_VARIABLE dependencies)
   if(sources)
     add_library(mimo_${name} OBJECT ${sources})
-    target_compile_definitions(mimo_${name} PRIVATE MIMO_BUILDING)
+    if(room_OUTSIDE)
+      target_link_libraries(mimo_${name} PUBLIC mimo::mimo)
+    else()
+      target_compile_definitions(mimo_${name} PRIVATE MIMO_BUILDING)
+    endif()
     target_include_directories(mimo_${name} PUBLIC ${include_dir})
     target_link_libraries(mimo_${name} PUBLIC ${room_LIBRARIES} PRIVATE ${dependencies})
   else()
@@ -60,7 +70,34 @@ function(mimo_room name)
   endforeach()
   list(REMOVE_DUPLICATES below)
   set_property(GLOBAL PROPERTY mimo_below_${name} ${below})
-  set_property(GLOBAL APPEND PROPERTY mimo_rooms ${name})
+  if(NOT room_OUTSIDE)
+    set_property(GLOBAL APPEND PROPERTY mimo_rooms ${name})
+  endif()
+endfunction()
+
+# mimo_program(<target> <room> <output name>): a program of the objects of a room with OUTSIDE, and of those below it.
+function(mimo_program target room output)
+  add_executable(${target})
+  mimo_link_room(${target} ${room})
+  # The library's folder in the build and where it is installed, see MimoLibrary.cmake; in packages for other systems it
+  # lies beside.
+  set(rpath $ORIGIN/../lib $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
+  if(MIMO_DEPENDENCIES)
+    list(APPEND rpath $ORIGIN)
+  endif()
+  list(REMOVE_DUPLICATES rpath)
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${output} BUILD_WITH_INSTALL_RPATH ON
+                                             INSTALL_RPATH "${rpath}")
+  if(APPLE)
+    target_link_options(${target} PRIVATE -Wl,-rpath,@loader_path/../lib -Wl,-rpath,@loader_path)
+  endif()
+endfunction()
+
+# mimo_compile_as_program(<room>): a room with OUTSIDE spends its time in the library, and CLI11 takes long to compile: its
+# files are read together, and optimised little, as that takes a minute a file with sanitizers.
+function(mimo_compile_as_program room)
+  set_target_properties(mimo_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  target_compile_options(mimo_${room} PRIVATE $<IF:$<BOOL:${MIMO_SANITIZE}>,-O0,-O1>)
 endfunction()
 
 # mimo_link_room(<target> <room>): links the objects of a room and of all rooms that it depends on.

@@ -8,11 +8,18 @@ its files sees, or sees one that it does not name.
 import re
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/architecture.md"
-CALL = re.compile(r"mimo_room\(\s*(\w+)\s+ABOUT\s+\"([^\"]*)\"([^)]*)\)")
+CALL = re.compile(r"mimo_room\(\s*(\w+)\s+(OUTSIDE\s+)?ABOUT\s+\"([^\"]*)\"([^)]*)\)")
 INCLUDE = re.compile(r'^\s*#\s*include "((\w+)/[^"]+)"', re.MULTILINE)
+
+
+class Room(NamedTuple):
+    about: str
+    sees: list  # rooms that it names
+    outside: bool  # a part of programs, which see the public headers and no room of the library
 
 
 def named_after(keyword, rest):
@@ -28,18 +35,19 @@ def named_after(keyword, rest):
 def read_rooms():
     rooms = {}
     for path in sorted(ROOT.glob("src/*/CMakeLists.txt")):
-        for name, about, rest in CALL.findall(path.read_text()):
-            rooms[name] = (about, named_after("DEPENDS", rest))
+        for name, outside, about, rest in CALL.findall(path.read_text()):
+            rooms[name] = Room(about, named_after("DEPENDS", rest), bool(outside))
     return rooms
 
 
 def floors(rooms):
-    """Rooms by how many lie below them, the highest floor first."""
+    """Rooms by how many lie below them, the highest floor first. Programs lie above the library."""
     height = {}
 
     def floor(name):
         if name not in height:
-            height[name] = 1 + max((floor(below) for below in rooms[name][1]), default=-1)
+            below = [*rooms[name].sees, *(["capi"] if rooms[name].outside else [])]
+            height[name] = 1 + max((floor(other) for other in below), default=-1)
         return height[name]
 
     for name in rooms:
@@ -52,8 +60,9 @@ def drawn(rooms):
     table = ["| room | what it does | rooms that it sees |", "|---|---|---|"]
     for level in levels:
         for name in level:
-            about, below = rooms[name]
-            table.append(f"| `{name}` | {about} | {', '.join(below)} |")
+            room = rooms[name]
+            sees = [*room.sees, *(["the public headers"] if room.outside else [])]
+            table.append(f"| `{name}` | {room.about} | {', '.join(sees)} |")
     drawing = [f"    floor {len(levels) - 1 - i:2}   {'   '.join(level)}" for i, level in enumerate(levels)]
     return {"table": "\n".join(table), "drawing": "\n".join(drawing)}
 
@@ -83,8 +92,8 @@ def seen(name, rooms):
 
 
 def wrong_arrows(rooms):
-    for name, (_, named) in rooms.items():
-        includes = seen(name, rooms)
+    for name, room in rooms.items():
+        named, includes = room.sees, seen(name, rooms)
         for other in sorted(set(named) - includes):
             yield f"src/{name} names {other}, but includes nothing of it"
         for other in sorted(includes - set(named)):

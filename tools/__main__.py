@@ -69,7 +69,7 @@ def add_builds(commands):
         which.add_argument(f"--{name}", dest="system", action="store_const", const=name, help=text)
     about = "ten seconds of an infant's random movements; pictures of it go to demo/"
     commands.add("demo", lambda o: build.demo(o.rest), about, arguments_of="mimo run")
-    commands.add("bench", lambda o: build.bench(o.rest), "how fast it runs here", arguments_of="mimo bench")
+    commands.add("bench", lambda o: build.bench(o.rest), "how fast it runs here", arguments_of="mimo-bench")
     more = "--write keeps today's, after a change that was meant."
     commands.add(
         "ratios", lambda o: build.ratios(o.rest), "is it as fast as it was, in ratios", more, "tests/bench/ratios.py"

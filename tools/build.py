@@ -11,6 +11,7 @@ from .pins import PINS, download, fetch_package, unzip
 from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, run, run_quietly
 
 PROGRAM = ("mimo", "mimo_program")  # the targets that users get
+BENCH = ("mimo", "mimo_bench_program")
 RATIOS = ("bench_render", "bench_touch", "bench_muscle", "bench_worlds", "bench_extras", "bench_making")
 MUJOCO4 = BUILD / "mujoco4"  # headers and library of MuJoCo 4, in its folder mujoco
 IN_USE = MUJOCO4 / "in_use"  # exists while build/ has copies of what was built on it
@@ -91,13 +92,13 @@ def demo(arguments):
 
 
 def bench(arguments):
-    build_program()
-    run(BUILD / "bin/mimo", "bench", *arguments)
+    build("release", *BENCH)
+    run(BUILD / "bin/mimo-bench", *arguments)
 
 
 def ratios(arguments):
     use_mujoco()
-    build("release", *PROGRAM, *RATIOS)
+    build("release", *BENCH, *RATIOS)
     run(PYTHON, "tests/bench/ratios.py", *arguments)
 
 

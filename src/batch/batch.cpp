@@ -165,15 +165,15 @@ void Batch::observe(const std::uint8_t* mask, std::uint8_t* blocks) {
 }
 
 // Copying is so quick that waking threads for it would take longer.
-void Batch::set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t* mask, const double* values) {
+void Batch::set(access::Quantity quantity, const access::Ids& ids, const std::uint8_t* mask, const double* values) {
   require_idle();
-  const std::size_t width = env::width(world(0), quantity, ids);
+  const std::size_t width = access::width(world(0), quantity, ids);
   const auto row = [&](std::size_t i) { return Span<const double>(values + i * width, width); };
   for (std::size_t i = 0; i < size(); ++i) {  // all before any is changed
     if (mask != nullptr && mask[i] == 0) continue;
-    env::check_settable(world(i), quantity, ids, row(i));
+    access::check_settable(world(i), quantity, ids, row(i));
   }
-  perform(mask, [&](std::size_t i, Report&) { env::set(world(i), quantity, ids, row(i)); });
+  perform(mask, [&](std::size_t i, Report&) { access::set(world(i), quantity, ids, row(i)); });
 }
 
 std::size_t Batch::state_bytes() const {
@@ -223,7 +223,7 @@ void Batch::begin(const Operation& operation) {
 }
 
 void Batch::perform(const std::uint8_t* mask, Work work, std::int32_t* status) {
-  begin({work, mask, status, workplace()});
+  begin({work, mask, status, current_thread()});
   pool_.run(*this, size());
   finish();
 }

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "access/access.h"
 #include "base/function_ref.h"
 #include "base/pool.h"
+#include "batch/current_thread.h"
 #include "batch/log_queue.h"
 #include "batch/options.h"
 #include "batch/report.h"
 #include "batch/shared_renderers.h"
 #include "batch/step.h"
-#include "batch/workplace.h"
-#include "env/access.h"
 
 namespace mimo::batch {
 
@@ -53,7 +53,7 @@ class Batch : private Job {
   void require_idle() const;
   bool works_on_this_thread() const;
   // Whether this thread is at work on that very world. Looks at no member: others may be destroying them.
-  bool is_at(std::size_t world) const { return workplace().batch == this && workplace().world == world; }
+  bool is_at(std::size_t world) const { return current_thread().batch == this && current_thread().world == world; }
 
   // Null seeds: every world goes on with its own stream. World i becomes one of next[i]; null: it stays what it is; an
   // empty list: so do all. Nothing happens where the worlds of one of them are not like those here.
@@ -67,14 +67,14 @@ class Batch : private Job {
 
   // Values have a row for each world.
   template <typename T>
-  void get(env::Quantity quantity, const env::Ids& ids, bool now, const std::uint8_t* mask, T* values) const {
+  void get(access::Quantity quantity, const access::Ids& ids, bool now, const std::uint8_t* mask, T* values) const {
     require_idle();
-    const std::size_t width = env::width(world(0), quantity, ids);
+    const std::size_t width = access::width(world(0), quantity, ids);
     for (std::size_t i = 0; i < size(); ++i) {
-      if (mask == nullptr || mask[i] != 0) env::get(world(i), quantity, ids, now, {values + i * width, width});
+      if (mask == nullptr || mask[i] != 0) access::get(world(i), quantity, ids, now, {values + i * width, width});
     }
   }
-  void set(env::Quantity quantity, const env::Ids& ids, const std::uint8_t* mask, const double* values);
+  void set(access::Quantity quantity, const access::Ids& ids, const std::uint8_t* mask, const double* values);
 
   // Of the world whose state is longest: worlds of other ages remember more or less.
   std::size_t state_bytes() const;
@@ -92,7 +92,7 @@ class Batch : private Job {
     Work work;
     const std::uint8_t* mask = nullptr;
     std::int32_t* status = nullptr;  // of each world, for the caller
-    Workplace caller;                // that waits for the work
+    CurrentThread caller;            // that waits for the work
 
     bool concerns(std::size_t world) const { return mask == nullptr || mask[world] != 0; }
   };

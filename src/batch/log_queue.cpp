@@ -1,6 +1,6 @@
 #include "batch/log_queue.h"
 
-#include "batch/workplace.h"
+#include "batch/current_thread.h"
 
 namespace mimo::batch {
 
@@ -11,7 +11,7 @@ LogSink LogQueue::slot() {
 
 void LogQueue::keep(const LogRecord& record) {
   records_.push_back(record);
-  if (workplace().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
+  if (current_thread().batch != batch_) deliver();  // a user works on this world alone, on a thread of their own
 }
 
 void LogQueue::deliver() {

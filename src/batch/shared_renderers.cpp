@@ -1,6 +1,6 @@
 #include "batch/shared_renderers.h"
 
-#include "batch/workplace.h"
+#include "batch/current_thread.h"
 
 namespace mimo::batch {
 
@@ -19,7 +19,7 @@ void SharedRenderers::furnish(std::size_t threads) {
 // made again.
 void SharedRenderers::draw(const mjModel& model, const mjData& data, const render::View& view,
                            const render::Picture& picture) {
-  if (workplace().batch == batch_) return renderer(workplace().thread).draw(model, data, view, picture);
+  if (current_thread().batch == batch_) return renderer(current_thread().thread).draw(model, data, view, picture);
   RendererPtr borrowed = borrow();
   borrowed->draw(model, data, view, picture);
   give_back(std::move(borrowed));

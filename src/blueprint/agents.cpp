@@ -4,8 +4,8 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "document/names.h"
 #include "scene/groups.h"
-#include "scene/names.h"
 
 namespace mimo::blueprint {
 namespace {
@@ -25,7 +25,7 @@ void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
           "place is {}, but the body is part of the scene; 0: where it stands there",
           static_cast<int>(plan.place->anchor));
   if (plan.body == "scene") return scene.choose_motors(prefix, plan.acts);
-  const scene::Place place = plan.place.value_or(scene::Place{});
+  const document::Place place = plan.place.value_or(document::Place{});
   scene.add_body(plan.body, prefix, plan.place ? &place.pose : nullptr, plan.acts, place.anchor);
 }
 
@@ -75,7 +75,7 @@ env::AgentOptions& Agents::at(std::size_t agent) {
 }
 
 void Agents::require_name(const std::string& name) const {
-  scene::require_plain(name);
+  document::require_plain(name);
   for (const env::AgentOptions& other : agents_) {
     require(other.name != name, "name: there is an agent \"{}\" already", name);
     require(!other.name.empty() && !name.empty(), "name is \"\", but each of several agents needs a name");

@@ -14,7 +14,7 @@ namespace mimo::blueprint {
 struct AgentPlan {
   env::AgentOptions options;
   std::string body = "mitten";           // "scene": the document brings it along
-  std::optional<scene::Place> place;     // nothing: the scene's own
+  std::optional<document::Place> place;  // nothing: the scene's own
   unsigned acts = 0;                     // scene::Group bits; 0: the scene's own choice
   std::optional<growth::Growth> growth;  // nothing: 18 months
 };

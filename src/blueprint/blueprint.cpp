@@ -27,7 +27,7 @@ void check_agents(const SceneEdit& edit, const env::CompiledWorld& compiled, con
 
 env::CompiledWorld compile(const SceneEdit& edit, const env::EnvOptions& options, const LogSink& scene_log,
                            const LogSink& log) {
-  engine::ModelPtr model = scene::compile(edit.scene.compose(), scene_log);
+  engine::ModelPtr model = document::compile(edit.scene.compose(), scene_log);
   edit.scene.check_places(model, scene_log);
   env::CompiledWorld compiled = around(edit, std::move(model), options, log);
   check_agents(edit, compiled, log ? log : scene_log);
@@ -39,7 +39,7 @@ env::CompiledWorld around(const SceneEdit& edit, engine::ModelPtr model, const e
   env::CompiledWorld compiled{std::move(model), edit.agents.all(), options, {}};
   compiled.options.parameters = edit.parameters;
   compiled.options.cameras = edit.cameras.all();
-  compiled.options.fields = edit.fields.all();
+  compiled.options.further_sense = edit.fields.sense();
   compiled.options.room_temperature = edit.room_temperature;
   compiled.options.things = edit.things;
   compiled.options.play = edit.play;

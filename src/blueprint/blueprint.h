@@ -36,7 +36,7 @@ struct SceneEdit {
 using env::CompiledWorldPtr;
 
 // Of the options, what the edit says itself is overwritten. What the compiler has to say goes to `scene_log`. Throws
-// what scene::compile throws.
+// what document::compile throws.
 env::CompiledWorld compile(const SceneEdit& edit, const env::EnvOptions& options, const LogSink& scene_log,
                            const LogSink& log);
 // The same agents and cameras around a model of somebody else's.

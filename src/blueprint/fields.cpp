@@ -1,16 +1,23 @@
 #include "blueprint/fields.h"
 
+#include "access/requested_fields.h"
 #include "base/fail.h"
-#include "env/requested_fields.h"
 
 namespace mimo::blueprint {
 
-void Fields::add(const env::FieldOptions& field) {
-  env::check(field);
-  for (const env::FieldOptions& other : fields_) {
+void Fields::add(const access::FieldOptions& field) {
+  access::check(field);
+  for (const access::FieldOptions& other : fields_) {
     require(other.name != field.name, "name: there is a field \"{}\" already", field.name);
   }
   fields_.push_back(field);
+}
+
+env::FurtherSense Fields::sense() const {
+  if (fields_.empty()) return {};
+  return [fields = fields_](const mjModel& model, const env::World* world) {
+    return std::make_unique<access::RequestedFields>(model, world, fields);
+  };
 }
 
 }  // namespace mimo::blueprint

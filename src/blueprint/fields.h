@@ -3,18 +3,20 @@
 
 #include <vector>
 
-#include "env/options.h"
+#include "access/requested_fields.h"
 
 namespace mimo::blueprint {
 
 class Fields {
  public:
-  const std::vector<env::FieldOptions>& all() const { return fields_; }
+  const std::vector<access::FieldOptions>& all() const { return fields_; }
   // No two of a name, and none of what no field can be.
-  void add(const env::FieldOptions& field);
+  void add(const access::FieldOptions& field);
+  // Makes the sense that fills them; empty where there are none.
+  env::FurtherSense sense() const;
 
  private:
-  std::vector<env::FieldOptions> fields_;
+  std::vector<access::FieldOptions> fields_;
 };
 
 }  // namespace mimo::blueprint

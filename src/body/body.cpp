@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "base/names.h"
 #include "engine/custom.h"
 #include "engine/ground.h"
 #include "engine/joints.h"
-#include "format/names.h"
 
 namespace mimo::body {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/fail.h"
 #include "base/length.h"
-#include "format/names.h"
+#include "base/names.h"
 
 namespace mimo::body {
 namespace {

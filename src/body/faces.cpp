@@ -5,7 +5,7 @@
 
 #include "base/choice.h"
 #include "base/fail.h"
-#include "format/names.h"
+#include "base/names.h"
 
 namespace mimo::body {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/names.h"
 #include "body/body.h"
 #include "engine/custom.h"
-#include "format/names.h"
 
 namespace mimo::body {
 namespace {

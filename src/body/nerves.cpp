@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "format/names.h"
+#include "base/names.h"
 
 namespace mimo::body {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "base/fail.h"
+#include "base/names.h"
 #include "engine/custom.h"
 #include "engine/joints.h"
-#include "format/names.h"
 
 namespace mimo::body {
 namespace {

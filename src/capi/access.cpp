@@ -10,19 +10,19 @@ namespace mimo::capi {
 
 namespace {
 
-bool is_kind(std::int32_t number) { return number >= 1 && number <= env::kKinds; }
+bool is_kind(std::int32_t number) { return number >= 1 && number <= access::kKinds; }
 
 bool is_of_receptors(std::int32_t number) { return number >= MIMO_RECEPTOR_BODY && number <= MIMO_RECEPTOR_FRAME; }
 
 // "MIMO_BODY, which is a kind"; "" for what is neither a kind nor a quantity.
 std::string told(std::int32_t number) {
-  if (is_kind(number)) return env::constant(static_cast<env::Kind>(number)) + ", which is a kind";
+  if (is_kind(number)) return access::constant(static_cast<access::Kind>(number)) + ", which is a kind";
   if (is_of_receptors(number)) {
     const auto quantity = static_cast<observation::ReceptorQuantity>(number);
-    return env::constant(observation::word(quantity)) + ", which is a quantity of receptors";
+    return access::constant(observation::word(quantity)) + ", which is a quantity of receptors";
   }
-  const env::Traits* quantity = env::find_quantity(number);
-  return quantity == nullptr ? "" : env::constant(*quantity) + ", which is a quantity";
+  const access::Traits* quantity = access::find_quantity(number);
+  return quantity == nullptr ? "" : access::constant(*quantity) + ", which is a quantity";
 }
 
 // A number that is not what it should be: known as something else, or not at all.
@@ -36,25 +36,25 @@ std::string told(std::int32_t number) {
 
 Request request_from(std::int32_t quantity) {
   const std::int32_t number = quantity & ~MIMO_NOW;
-  if (env::find_quantity(number) == nullptr) {
+  if (access::find_quantity(number) == nullptr) {
     refuse_number("quantity", quantity, "a quantity, such as MIMO_BODY_POSITION");
   }
-  const Request request = {static_cast<env::Quantity>(number), quantity != number};
-  if (request.now) env::require_known_now(request.quantity);
+  const Request request = {static_cast<access::Quantity>(number), quantity != number};
+  if (request.now) access::require_known_now(request.quantity);
   return request;
 }
 
-env::Quantity writable_from(std::int32_t quantity) {
+access::Quantity writable_from(std::int32_t quantity) {
   const Request request = request_from(quantity);
   require(!request.now, "quantity has MIMO_NOW, which is for reading only");
-  env::require_writable(request.quantity);
+  access::require_writable(request.quantity);
   return request.quantity;
 }
 
-env::Kind kind_from(std::int32_t kind) {
+access::Kind kind_from(std::int32_t kind) {
   if (!is_kind(kind) && !told(kind & ~MIMO_NOW).empty()) refuse_number("kind", kind, "a kind, such as MIMO_BODY");
-  check_choice(kind, 1, env::kKinds, "kind");
-  return static_cast<env::Kind>(kind);
+  check_choice(kind, 1, access::kKinds, "kind");
+  return static_cast<access::Kind>(kind);
 }
 
 observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
@@ -64,16 +64,16 @@ observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
   return static_cast<observation::ReceptorQuantity>(quantity);
 }
 
-env::Ids ids_of(const env::World& world, env::Quantity quantity, const std::int32_t* ids, std::size_t count) {
-  if (ids == nullptr && count == 0) return env::Ids(env::count(world, env::traits(quantity).kind()));
-  return env::Ids(array(ids, count, "ids"));
+access::Ids ids_of(const env::World& world, access::Quantity quantity, const std::int32_t* ids, std::size_t count) {
+  if (ids == nullptr && count == 0) return access::Ids(access::count(world, access::traits(quantity).kind()));
+  return access::Ids(array(ids, count, "ids"));
 }
 
 namespace {
 
-void check_id(const env::World& world, env::Kind kind, std::int32_t id) {
-  const int limit = env::count(world, kind);
-  require(id >= 0 && id < limit, "id is {}, expected a {} id from 0 to {}", id, env::word(kind), limit - 1);
+void check_id(const env::World& world, access::Kind kind, std::int32_t id) {
+  const int limit = access::count(world, kind);
+  require(id >= 0 && id < limit, "id is {}, expected a {} id from 0 to {}", id, access::word(kind), limit - 1);
 }
 
 template <typename T>
@@ -81,10 +81,10 @@ void get(const mimo_env* env, std::int32_t quantity, const std::int32_t* ids, st
          std::size_t value_count) {
   const env::World& world = open(env).world();
   const Request wanted = request_from(quantity);
-  const env::Ids which = ids_of(world, wanted.quantity, ids, id_count);
+  const access::Ids which = ids_of(world, wanted.quantity, ids, id_count);
   const Span<T> where = array(values, value_count, "values");
-  check_exact(value_count, env::width(world, wanted.quantity, which), "value_count");
-  env::get(world, wanted.quantity, which, wanted.now, where);
+  check_exact(value_count, access::width(world, wanted.quantity, which), "value_count");
+  access::get(world, wanted.quantity, which, wanted.now, where);
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ extern "C" {
 mimo_status mimo_env_count(const mimo_env* env, int32_t kind, size_t* count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    out(count, "count") = static_cast<size_t>(env::count(world, kind_from(kind)));
+    out(count, "count") = static_cast<size_t>(access::count(world, kind_from(kind)));
   });
 }
 
@@ -106,25 +106,25 @@ mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, i
   return guard(env, [&] {
     const env::World& world = open(env).world();
     require(name != nullptr, "name is NULL");
-    out(id, "id") = env::find_or_fail(world, kind_from(kind), name);
+    out(id, "id") = access::find_or_fail(world, kind_from(kind), name);
   });
 }
 
 mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const char** name) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const env::Kind of = kind_from(kind);
+    const access::Kind of = kind_from(kind);
     check_id(world, of, id);
-    out(name, "name") = env::name(world, of, id);
+    out(name, "name") = access::name(world, of, id);
   });
 }
 
 mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int32_t* body) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const env::Kind of = kind_from(kind);
+    const access::Kind of = kind_from(kind);
     check_id(world, of, id);
-    out(body, "body") = env::body_of(world, of, id);
+    out(body, "body") = access::body_of(world, of, id);
   });
 }
 
@@ -132,8 +132,8 @@ mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t*
                            size_t* value_count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const env::Quantity what = request_from(quantity).quantity;
-    out(value_count, "value_count") = env::width(world, what, ids_of(world, what, ids, id_count));
+    const access::Quantity what = request_from(quantity).quantity;
+    out(value_count, "value_count") = access::width(world, what, ids_of(world, what, ids, id_count));
   });
 }
 
@@ -151,11 +151,11 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
                          size_t value_count) noexcept {
   return guard(env, [&] {
     env::World& world = open(env).world();
-    const env::Quantity what = writable_from(quantity);
-    const env::Ids which = ids_of(world, what, ids, id_count);
+    const access::Quantity what = writable_from(quantity);
+    const access::Ids which = ids_of(world, what, ids, id_count);
     const auto from = array(values, value_count, "values");
-    check_given(value_count, env::width(world, what, which), "value_count");
-    env::set(world, what, which, from);
+    check_given(value_count, access::width(world, what, which), "value_count");
+    access::set(world, what, which, from);
   });
 }
 

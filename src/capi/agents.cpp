@@ -212,7 +212,7 @@ mimo_agent_config default_agent_config() {
 // What the scene gives its infant by itself.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {
   mimo_agent_config config = config_from(blueprint::usual_agent(scene));
-  if (const std::optional<scene::Pose> place = scene.free_place()) {
+  if (const std::optional<document::Pose> place = scene.free_place()) {
     std::copy(place->position.begin(), place->position.end(), config.position);
     std::copy(place->orientation.begin(), place->orientation.end(), config.orientation);
   }
@@ -225,7 +225,7 @@ blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
   plan.body = text(config.body);
   check_choice(config.place, MIMO_PLACE_SCENE, MIMO_PLACE_LOWEST, "place");
   if (config.place != MIMO_PLACE_SCENE) {
-    plan.place = {pose(config.position, config.orientation), static_cast<scene::Anchor>(config.place)};
+    plan.place = {pose(config.position, config.orientation), static_cast<document::Anchor>(config.place)};
   }
   plan.acts = acts(config);
   if (config.growth != nullptr) plan.growth = growth_from(*config.growth, "growth");

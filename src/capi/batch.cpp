@@ -95,7 +95,7 @@ void get(const mimo_batch* batch, std::int32_t quantity, const std::int32_t* ids
          const std::uint8_t* mask, std::size_t worlds, T* values, std::size_t value_count) {
   const batch::Batch& inner = open(batch).batch;
   const Request wanted = request_from(quantity);
-  const env::Ids which = ids_of(inner, wanted.quantity, ids, id_count);
+  const access::Ids which = ids_of(inner, wanted.quantity, ids, id_count);
   check_per_world(inner, worlds, mask != nullptr);
   check_values(inner, wanted.quantity, which, values, value_count);
   inner.get(wanted.quantity, which, wanted.now, mask, values);
@@ -222,8 +222,8 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
                            const uint8_t* mask, size_t worlds, const double* values, size_t value_count) noexcept {
   return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
-    const env::Quantity what = writable_from(quantity);
-    const env::Ids which = ids_of(inner, what, ids, id_count);
+    const access::Quantity what = writable_from(quantity);
+    const access::Ids which = ids_of(inner, what, ids, id_count);
     check_per_world(inner, worlds, mask != nullptr);
     check_values(inner, what, which, values, value_count);
     inner.set(what, which, mask, values);

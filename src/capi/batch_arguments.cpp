@@ -56,10 +56,10 @@ const float* actions_of(const batch::Batch& batch, const float* actions, std::si
   return count == 0 ? nullptr : actions;
 }
 
-env::Ids ids_of(const batch::Batch& batch, env::Quantity quantity, const std::int32_t* ids, std::size_t count) {
-  const env::Traits& what = env::traits(quantity);
-  require(env::is_alike(what.kind()), "quantity is {}, of which worlds have different numbers; ask each world",
-          env::constant(what));
+access::Ids ids_of(const batch::Batch& batch, access::Quantity quantity, const std::int32_t* ids, std::size_t count) {
+  const access::Traits& what = access::traits(quantity);
+  require(access::is_alike(what.kind()), "quantity is {}, of which worlds have different numbers; ask each world",
+          access::constant(what));
   return ids_of(batch.world(0), quantity, ids, count);
 }
 

@@ -1,12 +1,12 @@
 // Inside, the numbers of mimo.h are enumerations of the rooms that they concern, so that no room below depends on the
 // public header. Here they are compared.
+#include "access/kinds.h"
 #include "actuation/actuation.h"
 #include "base/log.h"
 #include "base/status.h"
 #include "batch/options.h"
 #include "engine/model.h"
 #include "engine/physics.h"
-#include "env/kinds.h"
 #include "geometry/axes.h"
 #include "geometry/texture.h"
 #include "growth/growth.h"

@@ -84,7 +84,7 @@ scene::Model model_from(const mimo_model_config& config) {
 }
 
 // Of a position and a quaternion, one after the other.
-scene::Pose pose_from(const double* numbers) {
+document::Pose pose_from(const double* numbers) {
   check_finite(numbers, 7, "pose");
   double position[3], orientation[4];
   std::copy_n(numbers, 3, position);
@@ -143,7 +143,7 @@ mimo_status mimo_scene_weld(mimo_scene* scene, const char* body, const char* oth
     scene::Weld weld;
     weld.body = body;
     if (other != nullptr) weld.other = other;
-    std::optional<scene::Pose> relative;
+    std::optional<document::Pose> relative;
     if (pose != nullptr) relative = pose_from(pose);
     blueprint.edit([&](blueprint::SceneEdit& edit) { edit.scene.weld(weld, relative ? &*relative : nullptr); });
   });

@@ -1,11 +1,12 @@
 // Where the eyes look, and making them look at a point.
+#include "env/gaze.h"
+
 #include <algorithm>
 
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "env/looking.h"
 
 namespace mimo::capi {
 namespace {

@@ -7,7 +7,7 @@
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/present.h"
 #include "geometry/axes.h"
 #include "geometry/geoms.h"
@@ -37,16 +37,16 @@ void convert_each(float* values, std::size_t count, const char* argument, Conver
   }
 }
 
-env::Quantity pose_of(std::int32_t kind) {
+access::Quantity pose_of(std::int32_t kind) {
   switch (kind) {
-    case MIMO_BODY: return env::Quantity::kBodyPose;
-    case MIMO_GEOM: return env::Quantity::kGeomPose;
-    case MIMO_SITE: return env::Quantity::kSitePose;
-    case MIMO_CAMERA: return env::Quantity::kCameraPose;
+    case MIMO_BODY: return access::Quantity::kBodyPose;
+    case MIMO_GEOM: return access::Quantity::kGeomPose;
+    case MIMO_SITE: return access::Quantity::kSitePose;
+    case MIMO_CAMERA: return access::Quantity::kCameraPose;
     default: break;
   }
   fail(Status::kInvalidArgument, "kind is {} ({}), expected body, geom, site or camera", kind,
-       env::word(kind_from(kind)));
+       access::word(kind_from(kind)));
 }
 
 void convert_pose(const geometry::Conversion& to, float* pose) {
@@ -112,7 +112,7 @@ void light_of(const env::World& world, int id, const geometry::Conversion& to, m
   engine::Present present;
   const mjData& now = present.of(world.physics());
   light.active = model.light_active[id] != 0 ? 1 : 0;
-  light.directional = engine::compat::is_directional(model, id) ? 1 : 0;
+  light.directional = compat::is_directional(model, id) ? 1 : 0;
   light.casts_shadow = model.light_castshadow[id] != 0 ? 1 : 0;
   light.cutoff = model.light_cutoff[id];
   light.exponent = model.light_exponent[id];
@@ -158,12 +158,12 @@ mimo_status mimo_convert_directions(int32_t axes, float* directions, size_t dire
 mimo_status mimo_env_poses(const mimo_env* env, int32_t kind, int32_t axes, float* poses, size_t value_count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const env::Quantity quantity = pose_of(kind);
+    const access::Quantity quantity = pose_of(kind);
     const geometry::Conversion to = conversion(axes, "axes");
-    const env::Ids all = ids_of(world, quantity, nullptr, 0);
+    const access::Ids all = ids_of(world, quantity, nullptr, 0);
     const Span<float> where = array(poses, value_count, "poses");
-    check_exact(value_count, env::width(world, quantity, all), "value_count");
-    env::get(world, quantity, all, true, where);
+    check_exact(value_count, access::width(world, quantity, all), "value_count");
+    access::get(world, quantity, all, true, where);
     for (std::size_t i = 0; i < where.size(); i += 7) convert_pose(to, where.data() + i);
   });
 }

@@ -25,8 +25,8 @@ std::vector<std::string> elements_of(const mimo_field_config& config) {
   return names;
 }
 
-env::FieldOptions options_from(const mimo_field_config& config) {
-  env::FieldOptions options;
+access::FieldOptions options_from(const mimo_field_config& config) {
+  access::FieldOptions options;
   const Request wanted = request_from(config.quantity);
   options.quantity = wanted.quantity;
   options.now = wanted.now;
@@ -55,7 +55,7 @@ mimo_status mimo_scene_add_field(mimo_scene* scene, const mimo_field_config* con
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a field needs at least a name");
-    const env::FieldOptions field = options_from(read_struct(config, "config"));
+    const access::FieldOptions field = options_from(read_struct(config, "config"));
     blueprint.edit([&](blueprint::SceneEdit& edit) { edit.fields.add(field); });
   });
 }

@@ -16,11 +16,11 @@ mimo_scene_config default_scene_config() {
   return config;
 }
 
-scene::Limits limits(const mimo_scene_config& config) {
+document::Limits limits(const mimo_scene_config& config) {
   check_flag(config.confined, "config: confined");
   check_reserved(config.limits_reserved, "config: limits_reserved");
   const auto or_usual = [](std::uint64_t given, std::uint64_t usual) { return given == 0 ? usual : given; };
-  const scene::Limits usual;
+  const document::Limits usual;
   return {or_usual(config.max_file_bytes, usual.file_bytes),
           or_usual(config.max_pixels, usual.pixels),
           or_usual(config.max_vertices, usual.vertices),

@@ -1,4 +1,4 @@
-#include "canvas.h"
+#include "cli/canvas.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Drawing over a picture: soft-edged strokes.
 #pragma once
 
-#include "picture.h"
+#include "cli/picture.h"
 
 namespace cli {
 

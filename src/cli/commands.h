@@ -8,7 +8,6 @@ class App;
 namespace cli {
 
 void add_run(CLI::App& program);
-void add_bench(CLI::App& program);
 void add_info(CLI::App& program);
 void add_render(CLI::App& program);
 void add_rollout(CLI::App& program);

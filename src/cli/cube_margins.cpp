@@ -1,4 +1,4 @@
-#include "cube_margins.h"
+#include "cli/cube_margins.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,12 @@ namespace cli {
 namespace {
 
 constexpr std::uint32_t kFaces = 6, kBytes = 4;
-constexpr std::uint32_t kParts = 8;  // a margin is this part of a face: mipmaps of an eighth of the size have no seams
+constexpr std::uint32_t kPartOfFace =
+    8;  // a margin is this part of a face: mipmaps of an eighth of the size have no seams
 
 std::uint32_t margin_of(const mimo::Texture& texture) {
   const bool cube = texture.type == MIMO_TEXTURE_CUBE && texture.height == kFaces * texture.width;
-  return cube ? texture.width / kParts : 0;
+  return cube ? texture.width / kPartOfFace : 0;
 }
 
 }  // namespace

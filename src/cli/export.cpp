@@ -8,13 +8,13 @@
 #include <memory>
 #include <optional>
 
-#include "commands.h"
-#include "cube_margins.h"
-#include "failure.h"
-#include "files.h"
-#include "glb.h"
-#include "random_actions.h"
-#include "world.h"
+#include "cli/commands.h"
+#include "cli/cube_margins.h"
+#include "cli/glb.h"
+#include "programs/failure.h"
+#include "programs/files.h"
+#include "programs/random_actions.h"
+#include "programs/world.h"
 
 namespace cli {
 namespace {

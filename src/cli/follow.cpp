@@ -1,22 +1,22 @@
-#include "follow.h"
+#include "cli/follow.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "angles.h"
-#include "csv.h"
-#include "facts.h"
-#include "failure.h"
-#include "files.h"
-#include "joints.h"
-#include "motion.h"
-#include "movement.h"
-#include "pose_fit.h"
-#include "progress.h"
-#include "statistics.h"
-#include "text.h"
+#include "motion/motion.h"
+#include "motion/movement.h"
+#include "motion/pose_fit.h"
+#include "programs/angles.h"
+#include "programs/csv.h"
+#include "programs/failure.h"
+#include "programs/files.h"
+#include "programs/joints.h"
+#include "programs/progress.h"
+#include "programs/statistics.h"
+#include "programs/text.h"
+#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "retarget.h"
-#include "world.h"
+#include "motion/retarget.h"
+#include "programs/world.h"
 
 namespace cli {
 

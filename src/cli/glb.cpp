@@ -1,9 +1,9 @@
-#include "glb.h"
+#include "cli/glb.h"
 
 #include <algorithm>
 
-#include "files.h"
-#include "picture.h"
+#include "cli/picture.h"
+#include "programs/files.h"
 
 namespace cli {
 namespace {

@@ -4,10 +4,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "commands.h"
-#include "facts.h"
-#include "text.h"
-#include "world.h"
+#include "cli/commands.h"
+#include "programs/text.h"
+#include "programs/world.h"
+#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "lettering.h"
+#include "cli/lettering.h"
 
 #include <algorithm>
 #include <iterator>

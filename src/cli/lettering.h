@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "canvas.h"
+#include "cli/canvas.h"
 
 namespace cli {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <optional>
 
-#include "angles.h"
-#include "facts.h"
-#include "picture.h"
+#include "cli/picture.h"
+#include "programs/angles.h"
+#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "cli/picture.h"
 
 #include <png.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "failure.h"
-#include "files.h"
+#include "programs/failure.h"
+#include "programs/files.h"
 
 namespace cli {
 namespace {
@@ -38,7 +38,7 @@ std::string png_of(std::uint32_t format, std::uint32_t width, std::uint32_t heig
 }
 
 template <typename Pixel>
-void write_npy(const std::string& path, const char* type, const Picture<Pixel>& picture) {
+void write_array(const std::string& path, const char* type, const Picture<Pixel>& picture) {
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "the types below are named as little-endian");
   std::string header = "{'descr': '" + std::string(type) + "', 'fortran_order': False, 'shape': (" +
                        std::to_string(picture.height) + ", " + std::to_string(picture.width) + "), }";
@@ -99,8 +99,8 @@ void write_png(const std::string& path, const Picture<std::uint16_t>& picture) {
   write_file(path, png_of(PNG_FORMAT_LINEAR_Y, picture.width, picture.height, picture.pixels.data()));
 }
 
-void write_npy(const std::string& path, const Picture<float>& picture) { write_npy(path, "<f4", picture); }
+void write_npy(const std::string& path, const Picture<float>& picture) { write_array(path, "<f4", picture); }
 
-void write_npy(const std::string& path, const Picture<std::int32_t>& picture) { write_npy(path, "<i4", picture); }
+void write_npy(const std::string& path, const Picture<std::int32_t>& picture) { write_array(path, "<i4", picture); }
 
 }  // namespace cli

@@ -3,15 +3,15 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.h"
-#include "failure.h"
-#include "files.h"
-#include "interrupt.h"
-#include "progress.h"
-#include "random_actions.h"
-#include "recorded_world.h"
-#include "recorder_options.h"
-#include "text.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/recorded_world.h"
+#include "cli/recorder_options.h"
+#include "programs/failure.h"
+#include "programs/files.h"
+#include "programs/progress.h"
+#include "programs/random_actions.h"
+#include "programs/text.h"
 
 namespace cli {
 namespace {

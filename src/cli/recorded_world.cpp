@@ -1,10 +1,10 @@
-#include "recorded_world.h"
+#include "cli/recorded_world.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "failure.h"
+#include "programs/failure.h"
 
 namespace cli {
 namespace {

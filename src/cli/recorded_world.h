@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "world.h"
+#include "programs/world.h"
 
 namespace cli {
 

@@ -1,6 +1,6 @@
-#include "recorder_options.h"
+#include "cli/recorder_options.h"
 
-#include "world.h"
+#include "programs/world.h"
 
 namespace cli {
 

@@ -3,11 +3,11 @@
 #include <memory>
 #include <optional>
 
-#include "commands.h"
-#include "files.h"
-#include "picture.h"
-#include "touch_picture.h"
-#include "world.h"
+#include "cli/commands.h"
+#include "cli/picture.h"
+#include "cli/touch_picture.h"
+#include "programs/files.h"
+#include "programs/world.h"
 
 namespace cli {
 namespace {

@@ -10,15 +10,15 @@
 #include <optional>
 #include <string_view>
 
-#include "commands.h"
-#include "failure.h"
-#include "files.h"
-#include "follow.h"
-#include "interrupt.h"
-#include "progress.h"
-#include "recorded_world.h"
-#include "recorder_options.h"
-#include "text.h"
+#include "cli/commands.h"
+#include "cli/follow.h"
+#include "cli/interrupt.h"
+#include "cli/recorded_world.h"
+#include "cli/recorder_options.h"
+#include "programs/failure.h"
+#include "programs/files.h"
+#include "programs/progress.h"
+#include "programs/text.h"
 
 namespace cli {
 namespace {

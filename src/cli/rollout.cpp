@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "commands.h"
-#include "csv.h"
-#include "facts.h"
-#include "failure.h"
-#include "files.h"
-#include "progress.h"
-#include "world.h"
+#include "cli/commands.h"
+#include "programs/csv.h"
+#include "programs/failure.h"
+#include "programs/files.h"
+#include "programs/progress.h"
+#include "programs/world.h"
+#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -6,20 +6,20 @@
 #include <memory>
 #include <optional>
 
-#include "commands.h"
-#include "facts.h"
-#include "files.h"
-#include "interrupt.h"
-#include "picture.h"
-#include "progress.h"
-#include "random_actions.h"
-#include "statistics.h"
-#include "text.h"
-#include "timing.h"
-#include "touch_map.h"
-#include "touch_picture.h"
-#include "wave.h"
-#include "world.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/picture.h"
+#include "cli/touch_map.h"
+#include "cli/touch_picture.h"
+#include "cli/wave.h"
+#include "programs/files.h"
+#include "programs/progress.h"
+#include "programs/random_actions.h"
+#include "programs/statistics.h"
+#include "programs/text.h"
+#include "programs/timing.h"
+#include "programs/world.h"
+#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -1,9 +1,9 @@
-#include "skin.h"
+#include "cli/skin.h"
 
 #include <cmath>
 #include <cstring>
 
-#include "facts.h"
+#include "programs/world_summary.h"
 
 namespace cli {
 

@@ -1,12 +1,12 @@
-#include "touch_map.h"
+#include "cli/touch_map.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "canvas.h"
-#include "heat.h"
-#include "lettering.h"
+#include "cli/canvas.h"
+#include "cli/force_colors.h"
+#include "cli/lettering.h"
 
 namespace cli {
 namespace {

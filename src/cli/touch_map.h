@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "picture.h"
-#include "skin.h"
+#include "cli/picture.h"
+#include "cli/skin.h"
 
 namespace cli {
 

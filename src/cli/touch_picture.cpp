@@ -1,13 +1,13 @@
-#include "touch_picture.h"
+#include "cli/touch_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "angles.h"
-#include "canvas.h"
-#include "heat.h"
+#include "cli/canvas.h"
+#include "cli/force_colors.h"
+#include "programs/angles.h"
 
 namespace cli {
 namespace {

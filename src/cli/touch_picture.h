@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "picture.h"
-#include "skin.h"
+#include "cli/picture.h"
+#include "cli/skin.h"
 
 namespace cli {
 

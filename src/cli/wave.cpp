@@ -1,11 +1,11 @@
-#include "wave.h"
+#include "cli/wave.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "failure.h"
-#include "files.h"
+#include "programs/failure.h"
+#include "programs/files.h"
 
 namespace cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "base/hash.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::engine {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::engine {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/length.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/schema.h"
 
 namespace mimo::engine {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <mutex>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 // Exported by MuJoCo but not declared in its headers. Weak: a build of MuJoCo may lack them. Windows has no such
 // imports, and all of MuJoCo's builds for it export them.

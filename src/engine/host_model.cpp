@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/data.h"
 #include "engine/physics.h"
 

@@ -13,8 +13,8 @@
 #include "base/format.h"
 #include "base/plain_numbers.h"
 #include "base/processor.h"
+#include "compat/mujoco.h"
 #include "engine/callbacks.h"
-#include "engine/compat.h"
 #include "engine/compile_lock.h"
 #include "engine/guard.h"
 

@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/constants.h"
 #include "engine/joints.h"
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "compat/mujoco.h"
 #include "engine/callbacks.h"
-#include "engine/compat.h"
 #include "engine/data.h"
-#include "engine/newton.h"
+#include "solver/newton.h"
 
 namespace mimo::engine {
 namespace {
@@ -58,9 +58,9 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
     : shared_(std::move(model)), model_(*shared_), overrides_(*shared_), data_(nullptr, nullptr) {
   apply(options, model_.opt);
-  const bool own = options.own_solver && newton_step_serves(model_);
+  const bool own = options.own_solver && solver::newton_step_serves(model_);
   if (own) compat::leave_out_islands(model_.opt);
-  step_ = own ? newton_step : mj_step;
+  step_ = own ? solver::newton_step : mj_step;
   warmstart_.resize(static_cast<std::size_t>(model_.nv));
   positions_.resize(static_cast<std::size_t>(model_.nq));
   start_.assign(model_.qpos0, model_.qpos0 + model_.nq);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/guard.h"
 #include "engine/physics.h"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::engine {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::engine {
 namespace {

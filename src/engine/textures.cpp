@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/guard.h"
 
 namespace mimo::engine {

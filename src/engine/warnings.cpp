@@ -1,6 +1,6 @@
 #include "engine/warnings.h"
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::engine {
 namespace {

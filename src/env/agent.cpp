@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "env/goals.h"
 #include "env/reflexes.h"
 #include "observation/signals.h"
 

@@ -14,6 +14,8 @@
 
 namespace mimo::env {
 
+constexpr int kLargestGoal = 1024;  // numbers of a task's goal; reading one takes so much of a thread's stack
+
 // In months.
 struct Age {
   double body;        // of size and mass

@@ -6,7 +6,6 @@
 #include "base/fail.h"
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
-#include "env/requested_fields.h"
 #include "env/sounds.h"
 #include "env/things.h"
 #include "senses/fusimotor_drives.h"
@@ -25,9 +24,7 @@ Attached::Attached(const CompiledWorld& compiled, double step)
   for (const CameraOptions& camera : compiled.options.cameras) {
     observer_.add(make_camera(*model_, camera, renderer_.get()));
   }
-  if (!compiled.options.fields.empty()) {
-    observer_.add(std::make_unique<RequestedFields>(*model_, nullptr, compiled.options.fields));
-  }
+  if (compiled.options.further_sense) observer_.add(compiled.options.further_sense(*model_, nullptr));
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const AgentOptions& agent = compiled.agents[i];
     limits_.add(agent.prefix(), agent.limits, nature_of_senses(*model_, agents_[i], agent), clock());

@@ -80,16 +80,11 @@ struct ThingOptions {
   std::string material{};               // by its name; "": plastic
 };
 
-enum class Quantity : int;
+class World;
 
-// A quantity of some elements as a field of the observation.
-struct FieldOptions {
-  std::string name;
-  Quantity quantity;
-  bool now = false;                   // at the step's end, of what else belongs to the start of its last physics step
-  std::vector<std::string> elements;  // their names; none of the world
-  std::string relative_to;            // the body in whose frame it is; "": the world's
-};
+// Makes a sense that is written behind those of agents and cameras, and belongs to no agent. The world is null where
+// somebody else's simulation is sensed; model and world outlive the sense.
+using FurtherSense = std::function<std::unique_ptr<observation::Sense>(const mjModel& model, const World* world)>;
 
 // What one world has to itself among those of its kind.
 struct Identity {
@@ -115,7 +110,7 @@ struct EnvOptions {
   RendererChoice renderer = RendererChoice::kAuto;
   render::Quality quality;
   std::vector<CameraOptions> cameras;
-  std::vector<FieldOptions> fields;
+  FurtherSense further_sense;        // empty: none
   double room_temperature = 24;      // degrees Celsius
   std::vector<ThingOptions> things;  // later ones count more
   senses::PlayOptions play;

@@ -5,7 +5,7 @@
 #include "base/fail.h"
 #include "body/body.h"
 #include "engine/flexes.h"
-#include "matter/materials.h"
+#include "materials/materials.h"
 #include "receptors/skin_temperature.h"
 
 namespace mimo::env {
@@ -14,7 +14,7 @@ namespace {
 using senses::touch::Thing;
 using senses::touch::Things;
 
-void feel_like(Thing& thing, const matter::Material& material) {
+void feel_like(Thing& thing, const materials::Material& material) {
   thing.effusivity = material.effusivity;
   thing.is_flesh = std::string_view(material.name) == "skin";
   thing.wavelength = material.wavelength;
@@ -23,7 +23,7 @@ void feel_like(Thing& thing, const matter::Material& material) {
 
 void feel_as_told(Thing& thing, const ThingOptions& told) {
   if (told.temperature) thing.temperature = *told.temperature;
-  if (!told.material.empty()) feel_like(thing, *matter::find_material(told.material));
+  if (!told.material.empty()) feel_like(thing, *materials::find_material(told.material));
 }
 
 // Calls change(geom) for a body and all that hangs on it.
@@ -52,12 +52,12 @@ constexpr const char *kUsual = "plastic", *kSkin = "skin";
 }  // namespace
 
 void check_material(const std::string& name) {
-  if (matter::find_material(name) != nullptr) return;
-  fail(Status::kNotFound, "no material \"{}\"; there are: {}", name, matter::material_names());
+  if (materials::find_material(name) != nullptr) return;
+  fail(Status::kNotFound, "no material \"{}\"; there are: {}", name, materials::material_names());
 }
 
 const char* material_name(std::size_t index) {
-  const matter::Material* material = index < 1000 ? matter::material(static_cast<int>(index)) : nullptr;
+  const materials::Material* material = index < 1000 ? materials::material(static_cast<int>(index)) : nullptr;
   return material == nullptr ? nullptr : material->name;
 }
 
@@ -67,7 +67,7 @@ senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<Agent
   things->air = options.room_temperature;
   Thing usual;
   usual.temperature = options.room_temperature;
-  feel_like(usual, *matter::find_material(kUsual));
+  feel_like(usual, *materials::find_material(kUsual));
   things->all.assign(static_cast<std::size_t>(model.ngeom + engine::flex_count(model)), usual);
   const double skin = receptors::resting_temperature({37, options.room_temperature});
   const auto thing_of = [&](int geom) -> Thing& { return things->all[static_cast<std::size_t>(geom)]; };
@@ -75,7 +75,7 @@ senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<Agent
       model, agents, options,
       [&](int geom) {
         thing_of(geom).temperature = skin;
-        feel_like(thing_of(geom), *matter::find_material(kSkin));
+        feel_like(thing_of(geom), *materials::find_material(kSkin));
       },
       [&](int geom, const ThingOptions& told) { feel_as_told(thing_of(geom), told); });
   for (const ThingOptions& told : options.things) {
@@ -90,12 +90,12 @@ std::shared_ptr<const std::vector<sound::Solid>> solids_of(const mjModel& model,
                                                            const std::vector<AgentOptions>& agents,
                                                            const EnvOptions& options) {
   auto solids = std::make_shared<std::vector<sound::Solid>>(static_cast<std::size_t>(model.ngeom),
-                                                            matter::find_material(kUsual)->solid);
+                                                            materials::find_material(kUsual)->solid);
   const auto solid_of = [&](int geom) -> sound::Solid& { return (*solids)[static_cast<std::size_t>(geom)]; };
   for_things(
-      model, agents, options, [&](int geom) { solid_of(geom) = matter::find_material(kSkin)->solid; },
+      model, agents, options, [&](int geom) { solid_of(geom) = materials::find_material(kSkin)->solid; },
       [&](int geom, const ThingOptions& told) {
-        if (!told.material.empty()) solid_of(geom) = matter::find_material(told.material)->solid;
+        if (!told.material.empty()) solid_of(geom) = materials::find_material(told.material)->solid;
       });
   return solids;
 }

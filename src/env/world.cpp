@@ -6,6 +6,7 @@
 
 #include "base/fail.h"
 #include "base/finite.h"
+#include "base/names.h"
 #include "base/stopwatch.h"
 #include "body/stored_pose.h"
 #include "engine/custom.h"
@@ -13,10 +14,8 @@
 #include "engine/joints.h"
 #include "env/nerves.h"
 #include "env/reflexes.h"
-#include "env/requested_fields.h"
 #include "env/sounds.h"
 #include "env/things.h"
-#include "format/names.h"
 #include "senses/fusimotor_drives.h"
 #include "sound/vocal.h"
 
@@ -61,9 +60,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
                         static_cast<std::size_t>(options_.frame_skip), soundscape_};
   for (const AgentOptions& agent : agents) add_agent(agent, setting, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
-  if (!options_.fields.empty()) {
-    observer_.add(std::make_unique<RequestedFields>(physics_.model(), this, options_.fields));
-  }
+  if (options_.further_sense) observer_.add(options_.further_sense(physics_.model(), this));
   for (std::size_t i = 0; i < agents.size(); ++i) {
     limits_.add(agents[i].prefix(), agents[i].limits, nature_of_senses(physics_.model(), agents_[i], agents[i]),
                 clock());

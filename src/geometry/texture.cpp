@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "geometry/welder.h"
 
 namespace mimo::geometry {
@@ -196,14 +196,14 @@ TextureSize size_of(const mjModel& model, int texture) {
 
 void read_pixels(const mjModel& model, int texture, Span<std::uint8_t> rgba) {
   const TextureSize size = size_of(model, texture);
-  const unsigned char* stored_pixels = model.*engine::compat::kPixels + model.tex_adr[texture];
-  const int channels = engine::compat::channels(model, texture);
+  const unsigned char* stored_pixels = model.*compat::kPixels + model.tex_adr[texture];
+  const int channels = compat::channels(model, texture);
   // A cube texture as high as wide is one picture for all six faces.
   const std::size_t stored = static_cast<std::size_t>(model.tex_width[texture]) * model.tex_height[texture];
   const std::size_t pixels = static_cast<std::size_t>(size.width) * size.height;
   for (std::size_t i = 0; i < pixels; ++i) {
     const unsigned char* from = stored_pixels + static_cast<std::size_t>(channels) * (i % stored);
-    for (int k = 0; k < 3; ++k) rgba[4 * i + k] = from[engine::compat::channel_of(channels, k)];
+    for (int k = 0; k < 3; ++k) rgba[4 * i + k] = from[compat::channel_of(channels, k)];
     rgba[4 * i + 3] = 255;
   }
 }

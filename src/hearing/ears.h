@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hearing/voice.h"
+#include "hearing/heard_impact.h"
 #include "sound/queue.h"
 
 namespace mimo::hearing {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/angle.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::rays {
 namespace {
@@ -23,7 +23,7 @@ Light headlight(const mjModel& model, const Vec& direction) {
 
 Light light_of(const mjModel& model, const mjData& data, int i) {
   Light light;
-  light.directional = engine::compat::is_directional(model, i);
+  light.directional = compat::is_directional(model, i);
   light.position = Eigen::Map<const Vec>(data.light_xpos + 3 * i);
   light.direction = Eigen::Map<const Vec>(data.light_xdir + 3 * i);
   light.ambient = three(model.light_ambient + 3 * i);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::rays {
 namespace {
@@ -23,7 +23,7 @@ class Level {
   // Pixels of so many bytes, row by row.
   template <int kChannels>
   void read(const unsigned char* from) const {
-    const int green = engine::compat::channel_of(kChannels, 1), blue = engine::compat::channel_of(kChannels, 2);
+    const int green = compat::channel_of(kChannels, 1), blue = compat::channel_of(kChannels, 2);
     for (int y = 0; y < height_; ++y) {
       std::uint32_t* row = &at(0, y);
       for (int x = 0; x < width_; ++x, from += kChannels) {
@@ -125,8 +125,8 @@ Textures::Textures(const mjModel& model) {
   texels_.resize(size + 1);  // texels are read in pairs
   for (int i = 0; i < model.ntex; ++i) {
     const Texture& texture = textures_[i];
-    const unsigned char* pixels = model.*engine::compat::kPixels + model.tex_adr[i];
-    const int channels = engine::compat::channels(model, i);
+    const unsigned char* pixels = model.*compat::kPixels + model.tex_adr[i];
+    const int channels = compat::channels(model, i);
     // A cube texture as high as wide is one picture for all six faces.
     const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
     for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {

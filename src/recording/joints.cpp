@@ -3,30 +3,30 @@
 namespace mimo::recording {
 namespace {
 
-int joints_of(const env::World& world) { return env::count(world, env::Kind::kJoint); }
+int joints_of(const env::World& world) { return access::count(world, access::Kind::kJoint); }
 
 }  // namespace
 
 std::string joint_names(const env::World& world) {
   std::string names;
-  for (int i = 0; i < joints_of(world); ++i) names += std::string(env::name(world, env::Kind::kJoint, i)) + "\n";
+  for (int i = 0; i < joints_of(world); ++i) names += std::string(access::name(world, access::Kind::kJoint, i)) + "\n";
   return names;
 }
 
-std::string joint_columns(const env::World& world, env::Quantity quantity) {
+std::string joint_columns(const env::World& world, access::Quantity quantity) {
   std::string names;
   for (int i = 0; i < joints_of(world); ++i) {
-    for (int left = env::width(world.model(), &world, quantity, i); left > 0; --left) {
-      names += std::string(env::name(world, env::Kind::kJoint, i)) + "\n";
+    for (int left = access::width(world.model(), &world, quantity, i); left > 0; --left) {
+      names += std::string(access::name(world, access::Kind::kJoint, i)) + "\n";
     }
   }
   return names;
 }
 
-void read_joints(const env::World& world, env::Quantity quantity, std::vector<double>& values) {
-  const env::Ids all(joints_of(world));
-  values.resize(env::width(world, quantity, all));
-  env::get(world, quantity, all, false, Span<double>(values));
+void read_joints(const env::World& world, access::Quantity quantity, std::vector<double>& values) {
+  const access::Ids all(joints_of(world));
+  values.resize(access::width(world, quantity, all));
+  access::get(world, quantity, all, false, Span<double>(values));
 }
 
 }  // namespace mimo::recording

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "env/access.h"
+#include "access/access.h"
 
 namespace mimo::recording {
 
 std::string joint_names(const env::World& world);  // a line each
 // A line for each column: a free joint has seven positions and six velocities.
-std::string joint_columns(const env::World& world, env::Quantity quantity);
+std::string joint_columns(const env::World& world, access::Quantity quantity);
 // Of all joints.
-void read_joints(const env::World& world, env::Quantity quantity, std::vector<double>& values);
+void read_joints(const env::World& world, access::Quantity quantity, std::vector<double>& values);
 
 }  // namespace mimo::recording

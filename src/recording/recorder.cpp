@@ -125,8 +125,8 @@ void Recorder::describe(const env::World& world, const Options& options) {
   file_->table(kActions, h5.f32, {world.action_size()}, "", action_names(world));
   file_->table(kRewards, h5.f64, {world.agents().size()}, "");
   for (const auto& [table, quantity, unit] :
-       {std::tuple(kJointPosition, env::Quantity::kJointPosition, "m or rad"),
-        std::tuple(kJointVelocity, env::Quantity::kJointVelocity, "m/s or rad/s")}) {
+       {std::tuple(kJointPosition, access::Quantity::kJointPosition, "m or rad"),
+        std::tuple(kJointVelocity, access::Quantity::kJointVelocity, "m/s or rad/s")}) {
     read_joints(world, quantity, numbers_);
     file_->table(table, h5.f64, {numbers_.size()}, unit, joint_columns(world, quantity));
   }
@@ -216,9 +216,9 @@ void Recorder::write(const env::World& world, Span<const float> actions, const s
   numbers_.clear();
   for (const env::Agent& agent : world.agents()) numbers_.push_back(agent.task->reward());
   file_->append(kRewards, numbers_.data());
-  read_joints(world, env::Quantity::kJointPosition, numbers_);
+  read_joints(world, access::Quantity::kJointPosition, numbers_);
   file_->append(kJointPosition, numbers_.data());
-  read_joints(world, env::Quantity::kJointVelocity, numbers_);
+  read_joints(world, access::Quantity::kJointVelocity, numbers_);
   file_->append(kJointVelocity, numbers_.data());
   for (const Kept& field : fields_) file_->append(field.table, block + field.offset);
   if (std::chrono::duration<double>(Clock::now() - flushed_).count() < flush_seconds_) return;

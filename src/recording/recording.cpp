@@ -179,9 +179,9 @@ void Recording::compare(const env::World& world, const std::uint8_t* block) {
   const auto compare_numbers = [&](const char* table) {
     compare(table, observation::Type::kF64, numbers_.data(), numbers_.size() * sizeof(double));
   };
-  read_joints(world, env::Quantity::kJointPosition, numbers_);
+  read_joints(world, access::Quantity::kJointPosition, numbers_);
   compare_numbers(kJointPosition);
-  read_joints(world, env::Quantity::kJointVelocity, numbers_);
+  read_joints(world, access::Quantity::kJointVelocity, numbers_);
   compare_numbers(kJointVelocity);
   numbers_.clear();
   for (const env::Agent& agent : world.agents()) numbers_.push_back(agent.task->reward());

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 
 namespace mimo::render {
 
@@ -16,7 +16,7 @@ Paint paint_of(const mjModel& model, int material, const float* rgba) {
   paint.specular = model.mat_specular[material];
   paint.shininess = model.mat_shininess[material];
   paint.reflectance = model.mat_reflectance[material];
-  paint.texture = engine::compat::color_texture(model, material);
+  paint.texture = compat::color_texture(model, material);
   return paint;
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "render/vectors.h"
 
 namespace mimo::render {
@@ -38,12 +38,12 @@ void each_triangle_of_mesh(const mjModel& model, int id, const TakeTriangle& tak
   const std::ptrdiff_t texture = model.mesh_texcoordadr[id];
   for (int i = 0; i < model.mesh_facenum[id]; ++i) {
     const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(model.mesh_faceadr[id]) + i;
-    const int *face = model.mesh_face + 3 * at, *normals = engine::compat::face_normals(model, at);
-    const int* texels = engine::compat::face_texcoords(model, at);
+    const int *face = model.mesh_face + 3 * at, *normals = compat::face_normals(model, at);
+    const int* texels = compat::face_texcoords(model, at);
     Corners corners;
     for (int k = 0; k < 3; ++k) {
       corners[k].place = vertex(model.mesh_vert, first + face[k]);
-      corners[k].normal = vertex(model.mesh_normal, engine::compat::first_normal(model, id) + normals[k]);
+      corners[k].normal = vertex(model.mesh_normal, compat::first_normal(model, id) + normals[k]);
       if (texture >= 0) std::copy_n(model.mesh_texcoord + 2 * (texture + texels[k]), 2, corners[k].texture.begin());
     }
     if (texture < 0) {

@@ -4,11 +4,11 @@
 
 #include "base/angle.h"
 #include "base/fail.h"
-#include "format/names.h"
-#include "scene/compiler.h"
-#include "scene/defaults.h"
-#include "scene/names.h"
-#include "scene/xml.h"
+#include "base/names.h"
+#include "document/compiler.h"
+#include "document/defaults.h"
+#include "document/names.h"
+#include "document/xml.h"
 
 namespace mimo::scene {
 namespace {
@@ -93,7 +93,7 @@ class Writer {
   void put(pugi::xml_node node, const char* name, const std::array<double, N>& is, const std::array<double, N>& was,
            std::size_t count = N) {
     if (is == was) return;
-    set(node, name, Span<const double>(is.data(), count));
+    document::set(node, name, Span<const double>(is.data(), count));
     wrote_ = true;
   }
 
@@ -110,17 +110,17 @@ class Writer {
 struct Anatomy::Reader {
   Anatomy& to;
   const std::string& prefix;
-  Defaults defaults;
+  document::Defaults defaults;
   double unit;
 
   template <std::size_t N>
   void take(pugi::xml_node node, const char* name, std::array<double, N>& values) const {
-    const std::vector<double> given = numbers(defaults.find(node, name));
+    const std::vector<double> given = document::numbers(defaults.find(node, name));
     std::copy_n(given.begin(), std::min(given.size(), N), values.begin());
   }
 
   void take(pugi::xml_node node, const char* name, double& value) const {
-    const std::vector<double> given = numbers(defaults.find(node, name));
+    const std::vector<double> given = document::numbers(defaults.find(node, name));
     if (!given.empty()) value = given[0];
   }
 
@@ -142,9 +142,10 @@ struct Anatomy::Reader {
   }
 
   void read_part(pugi::xml_node node) {
-    if (is(node, "geom")) read_geom(node);
-    if (is(node, "joint")) read_joint(node);
-    if (is(node, "site") || (is(node, "camera") && begins_with(own_name(node), kEyes))) read_mark(node);
+    if (document::is(node, "geom")) read_geom(node);
+    if (document::is(node, "joint")) read_joint(node);
+    if (document::is(node, "site") || (document::is(node, "camera") && begins_with(own_name(node), kEyes)))
+      read_mark(node);
   }
 
   void read_geom(pugi::xml_node node) {
@@ -204,15 +205,15 @@ struct Anatomy::Reader {
 
 Anatomy::Anatomy(pugi::xml_node root, const std::string& prefix) : root_(root) {
   const std::string name = prefix + names::kRootBody;
-  const pugi::xml_node body = find_named(root, "body", name);
+  const pugi::xml_node body = document::find_named(root, "body", name);
   if (body.empty()) fail(Status::kNotFound, "no body \"{}\", so there is no infant that could grow", name);
-  Reader reader{*this, prefix, Defaults(root), in_radians(root) ? 1 : kDegree};
+  Reader reader{*this, prefix, document::Defaults(root), document::in_radians(root) ? 1 : kDegree};
   reader.read_body(body, -1);
   reader.read_motors();
 }
 
 bool Anatomy::write(const growth::Skeleton& changed) {
-  Writer writer(in_radians(root_) ? 1 : kDegree);
+  Writer writer(document::in_radians(root_) ? 1 : kDegree);
   std::size_t bone = 0, geom = 0, joint = 0, mark = 0, motor = 0;
   writer.write(bones_, bone, changed.bones, skeleton_.bones);
   for (std::size_t i = 0; i < changed.bones.size(); ++i) {

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "base/fail.h"
-#include "format/names.h"
+#include "base/names.h"
 
 namespace mimo::scene {
 namespace {

@@ -4,14 +4,14 @@
 #include <map>
 
 #include "base/fail.h"
-#include "format/names.h"
+#include "base/names.h"
+#include "document/names.h"
+#include "document/xml.h"
 #include "growth/grow.h"
 #include "growth/kinematics.h"
 #include "growth/measures.h"
 #include "scene/anatomy.h"
-#include "scene/names.h"
 #include "scene/surroundings.h"
-#include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
@@ -27,9 +27,9 @@ pugi::xml_node custom(pugi::xml_node root, const char* element, const std::strin
 }
 
 void say(pugi::xml_node root, const std::string& name, const std::vector<double>& values) {
-  const pugi::xml_node numeric = append(section(root, "custom"), "numeric");
-  set(numeric, "name", name);
-  set(numeric, "data", Span<const double>(values));
+  const pugi::xml_node numeric = document::append(document::section(root, "custom"), "numeric");
+  document::set(numeric, "name", name);
+  document::set(numeric, "data", Span<const double>(values));
 }
 
 // Joints of the infant by their names in the document.
@@ -49,7 +49,7 @@ growth::Angles starting_angles(pugi::xml_node root, const Skeleton& skeleton, co
     for (const pugi::xml_node tuple : section.children("tuple")) {
       for (const pugi::xml_node entry : tuple.children("element")) {
         const auto joint = joints.find(entry.attribute("objname").value());
-        const std::vector<double> value = numbers(entry.attribute("prm"));
+        const std::vector<double> value = document::numbers(entry.attribute("prm"));
         if (joint != joints.end() && !value.empty()) angles[joint->second->name] = value[0];
       }
     }
@@ -64,12 +64,12 @@ void clamp_poses(pugi::xml_node root, const Skeleton& skeleton, const std::strin
   const auto joints = joints_of(skeleton, prefix);
   const auto clamp = [&](pugi::xml_node node, const char* names_joint, const char* holds_angle) {
     const auto joint = joints.find(node.attribute(names_joint).value());
-    std::vector<double> values = numbers(node.attribute(holds_angle));
+    std::vector<double> values = document::numbers(node.attribute(holds_angle));
     if (joint == joints.end() || values.empty()) return;
     const double angle = within(*joint->second, values[0]);
     if (angle == values[0]) return;
     values[0] = angle;
-    set(node, holds_angle, Span<const double>(values));
+    document::set(node, holds_angle, Span<const double>(values));
   };
   for (const pugi::xml_node section : root.children("custom")) {
     for (const pugi::xml_node tuple : section.children("tuple")) {
@@ -102,10 +102,10 @@ struct Start {
 Start start_of(pugi::xml_node root, const std::string& prefix, Skeleton body) {
   growth::Angles angles = starting_angles(root, body, prefix);
   growth::Bone& first = body.bones.front();
-  const pugi::xml_node node = find_named(root, "body", prefix + names::kRootBody);
-  std::vector<double> pose = numbers(custom(root, "numeric", prefix + names::kRootPose).attribute("data"));
+  const pugi::xml_node node = document::find_named(root, "body", prefix + names::kRootBody);
+  std::vector<double> pose = document::numbers(custom(root, "numeric", prefix + names::kRootPose).attribute("data"));
   if (pose.size() != 7) {
-    pose = numbers(node.attribute("pos"));
+    pose = document::numbers(node.attribute("pos"));
     pose.resize(3);
     pose.insert(pose.end(), first.orientation.begin(), first.orientation.end());
   }
@@ -115,18 +115,18 @@ Start start_of(pugi::xml_node root, const std::string& prefix, Skeleton body) {
 }
 
 void raise(pugi::xml_node node, const char* attribute, double up) {
-  std::vector<double> place = numbers(node.attribute(attribute));
+  std::vector<double> place = document::numbers(node.attribute(attribute));
   place.resize(std::max<std::size_t>(place.size(), 3));
   place[2] += up;
-  set(node, attribute, Span<const double>(place));
+  document::set(node, attribute, Span<const double>(place));
 }
 
 // Moves the root so that the lowest point stays where it was: it stands on its feet and lies on its back as before.
 void keep_lowest(pugi::xml_node root, const std::string& prefix, const Start& was, const Start& is) {
   const double up = growth::lowest_point(was.body, was.angles) - growth::lowest_point(is.body, is.angles);
-  raise(find_named(root, "body", prefix + names::kRootBody), "pos", up);
+  raise(document::find_named(root, "body", prefix + names::kRootBody), "pos", up);
   const pugi::xml_node stored = custom(root, "numeric", prefix + names::kRootPose);
-  if (numbers(stored.attribute("data")).size() == 7) raise(stored, "data", up);
+  if (document::numbers(stored.attribute("data")).size() == 7) raise(stored, "data", up);
 }
 
 const growth::Bone& bone_of(const Skeleton& skeleton, const std::string& name) {

@@ -1,11 +1,11 @@
 #include "scene/guest.h"
 
 #include "base/fail.h"
-#include "scene/compiler.h"
-#include "scene/defaults.h"
-#include "scene/inertias.h"
-#include "scene/names.h"
-#include "scene/xml.h"
+#include "document/compiler.h"
+#include "document/defaults.h"
+#include "document/inertias.h"
+#include "document/names.h"
+#include "document/xml.h"
 
 namespace mimo::scene {
 namespace {
@@ -38,36 +38,37 @@ void keep_only(pugi::xml_node root, pugi::xml_node body) {
   }
 }
 
-bool is_free(pugi::xml_node joint, const Defaults& defaults) {
+bool is_free(pugi::xml_node joint, const document::Defaults& defaults) {
   if (std::string(joint.name()) == "freejoint") return true;
   return std::string(joint.name()) == "joint" && std::string(defaults.find(joint, "type").value()) == "free";
 }
 
 // How the body moves: by joints of its own; by a free joint, if it has none; or not at all.
-void set_freedom(pugi::xml_node body, const Defaults& defaults, const Model& model, const std::string& what) {
+void set_freedom(pugi::xml_node body, const document::Defaults& defaults, const Model& model, const std::string& what) {
   bool has_joint = false;
   for (const pugi::xml_node child : body.children()) {
     const bool free = is_free(child, defaults);
     require(!free || !model.fixed, "{}: fixed is 1, but its body has a free joint", what);
     has_joint = has_joint || free || std::string(child.name()) == "joint";
   }
-  if (!has_joint && !model.fixed) set(append(body, "freejoint"), "name", model.name);
+  if (!has_joint && !model.fixed) document::set(document::append(body, "freejoint"), "name", model.name);
 }
 
 }  // namespace
 
-void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model, const Limits& limits) {
+void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model,
+                   const document::Limits& limits) {
   const std::string what = "model \"" + model.name + "\"";
   const pugi::xml_node root = document.document_element();
   pugi::xml_node body = only_body(root, what);
-  weigh_alone(document, what, limits);
+  document::weigh_alone(document, what, limits);
   keep_only(root, body);
-  adapt(root, host, what);
-  name_main_defaults(root, "main");
-  prefix_all_names(root, model.name + "/");
-  if (!body.attribute("name")) set(body, "name", model.name);
-  set_pose(body, model.pose);
-  set_freedom(body, Defaults(root), model, what);
+  document::adapt(root, host, what);
+  document::name_main_defaults(root, "main");
+  document::prefix_all_names(root, model.name + "/");
+  if (!body.attribute("name")) document::set(body, "name", model.name);
+  document::set_pose(body, model.pose);
+  set_freedom(body, document::Defaults(root), model, what);
 }
 
 }  // namespace mimo::scene

@@ -4,21 +4,22 @@
 #include <pugixml.hpp>
 #include <string>
 
-#include "scene/limits.h"
-#include "scene/pose.h"
+#include "document/limits.h"
+#include "document/pose.h"
 
 namespace mimo::scene {
 
 struct Model {
   std::string name;
   std::string file, xml;  // just one of them is not empty
-  Pose pose;
+  document::Pose pose;
   bool fixed = false;
 };
 
 // Makes a document ready to be put into the host's: names with the object's before them, defaults that count for itself
 // only, units that are the host's, and its one body at its place. Throws Status::kModel for a document without just one
 // body, and what adapt() throws.
-void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model, const Limits& limits);
+void become_object(pugi::xml_document& document, pugi::xml_node host, const Model& model,
+                   const document::Limits& limits);
 
 }  // namespace mimo::scene

@@ -6,12 +6,12 @@
 #include "base/angle.h"
 #include "base/choice.h"
 #include "base/fail.h"
-#include "format/names.h"
-#include "scene/compiler.h"
-#include "scene/defaults.h"
+#include "base/names.h"
+#include "document/compiler.h"
+#include "document/defaults.h"
+#include "document/names.h"
+#include "document/xml.h"
 #include "scene/equalities.h"
-#include "scene/names.h"
-#include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
@@ -29,10 +29,10 @@ class Joint {
  public:
   Joint(pugi::xml_node root, const std::string& name) : root_(root), defaults_(root) {
     for (const pugi::xml_node world : root.children("worldbody")) {
-      if (node_.empty()) node_ = find_named(world, "joint", name);
+      if (node_.empty()) node_ = document::find_named(world, "joint", name);
     }
     if (node_.empty())
-      fail(Status::kNotFound, "no joint named \"{}\"; {}", name, choice_of(name, names_of(root, {"joint"})));
+      fail(Status::kNotFound, "no joint named \"{}\"; {}", name, choice_of(name, document::names_of(root, {"joint"})));
     const std::string type = text_of(defaults_.find(node_, "type"));
     slides_ = type == "slide";
     require(type.empty() || slides_ || type == "hinge", "joint \"{}\" is of type {}, expected a hinge or slide", name,
@@ -40,7 +40,7 @@ class Joint {
   }
 
   double reference() const {
-    const std::vector<double> given = numbers(defaults_.find(node_, "ref"));
+    const std::vector<double> given = document::numbers(defaults_.find(node_, "ref"));
     return given.empty() ? 0 : given[0] * unit();
   }
 
@@ -48,7 +48,7 @@ class Joint {
     const char* what = slides_ ? "metres" : "radians";
     const std::string name = text_of(node_.attribute("name"));
     require(std::isfinite(value), "value of joint \"{}\" is {}, expected {}", name, value, what);
-    const std::vector<double> range = numbers(defaults_.find(node_, "range"));
+    const std::vector<double> range = document::numbers(defaults_.find(node_, "range"));
     if (!limited() || range.size() != 2) return;
     const double low = range[0] * unit(), high = range[1] * unit();
     require(value >= low && value <= high, "value of joint \"{}\" is {}, expected {:.6g} to {:.6g} {}", name, value,
@@ -56,14 +56,14 @@ class Joint {
   }
 
  private:
-  double unit() const { return slides_ || in_radians(root_) ? 1 : kDegree; }
+  double unit() const { return slides_ || document::in_radians(root_) ? 1 : kDegree; }
   bool limited() const {
     const std::string said = text_of(defaults_.find(node_, "limited"));
-    return said == "true" || (said != "false" && infers_limits(root_));
+    return said == "true" || (said != "false" && document::infers_limits(root_));
   }
 
   pugi::xml_node root_, node_;
-  Defaults defaults_;
+  document::Defaults defaults_;
   bool slides_ = false;
 };
 
@@ -86,10 +86,11 @@ pugi::xml_node stored_or_new(pugi::xml_node root, const std::string& joint) {
   for (const pugi::xml_node custom : root.children("custom")) {
     if (tuple.empty()) tuple = custom.find_child_by_attribute("tuple", "name", names::kPose);
   }
-  if (tuple.empty()) set(tuple = append(section(root, "custom"), "tuple"), "name", names::kPose);
-  const pugi::xml_node entry = append(tuple, "element");
-  set(entry, "objtype", "joint");
-  set(entry, "objname", joint);
+  if (tuple.empty())
+    document::set(tuple = document::append(document::section(root, "custom"), "tuple"), "name", names::kPose);
+  const pugi::xml_node entry = document::append(tuple, "element");
+  document::set(entry, "objtype", "joint");
+  document::set(entry, "objname", joint);
   return entry;
 }
 
@@ -101,7 +102,7 @@ pugi::xml_node lock_of(pugi::xml_node root, const std::string& joint) {
     }
   }
   const pugi::xml_node lock = add_equality(root, "joint");
-  set(lock, "joint1", joint);
+  document::set(lock, "joint1", joint);
   return lock;
 }
 
@@ -109,7 +110,7 @@ pugi::xml_node lock_of(pugi::xml_node root, const std::string& joint) {
 
 void start_joint(pugi::xml_node root, const std::string& joint, double value) {
   Joint(root, joint).require_in_range(value);
-  set(stored_or_new(root, joint), "prm", Span<const double>(&value, 1));
+  document::set(stored_or_new(root, joint), "prm", Span<const double>(&value, 1));
 }
 
 void lock_joint(pugi::xml_node root, const std::string& joint, double value) {
@@ -117,8 +118,8 @@ void lock_joint(pugi::xml_node root, const std::string& joint, double value) {
   const double offset = value - Joint(root, joint).reference();
   const std::array<double, 5> line{offset, 1, 0, 0, 0};
   const pugi::xml_node lock = lock_of(root, joint);
-  set(lock, "active", "true");
-  set(lock, "polycoef", Span<const double>(line));
+  document::set(lock, "active", "true");
+  document::set(lock, "polycoef", Span<const double>(line));
 }
 
 }  // namespace mimo::scene

@@ -7,10 +7,10 @@
 #include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/names.h"
 #include "body/stored_pose.h"
 #include "engine/ground.h"
 #include "engine/joints.h"
-#include "format/names.h"
 
 namespace mimo::scene {
 namespace {
@@ -87,7 +87,7 @@ class Search {
         address_(engine::free_joint_address(physics.model(), root_)),
         geoms_(engine::geoms_of_tree(physics.model(), root_)) {}
 
-  Pose run() {
+  document::Pose run() {
     put({0, 0}, 0);
     const double sole = lowest(physics_, geoms_);
     bool ground = false;
@@ -114,7 +114,7 @@ class Search {
     physics_.update_contacts();
   }
 
-  Pose pose() {
+  document::Pose pose() {
     const double* place = physics_.data().qpos + address_;
     return {{place[0], place[1], place[2]}, {1, 0, 0, 0}};
   }
@@ -176,14 +176,14 @@ engine::Physics at_start(const engine::ModelPtr& model) {
   return physics;
 }
 
-Pose free_spot(engine::Physics& physics, const std::string& prefix) { return Search(physics, prefix).run(); }
+document::Pose free_spot(engine::Physics& physics, const std::string& prefix) { return Search(physics, prefix).run(); }
 
-Pose root_of(const engine::Physics& physics, const std::string& prefix, const Place& place) {
+document::Pose root_of(const engine::Physics& physics, const std::string& prefix, const document::Place& place) {
   const int root = engine::find_or_fail(physics.model(), Kind::kBody, prefix + names::kRootBody);
   const std::array<double, 3> is = position_of(physics, root);
-  const bool by_soles = place.anchor == Anchor::kSoles;
+  const bool by_soles = place.anchor == document::Anchor::kSoles;
   const std::array<double, 3> anchor = by_soles ? soles(physics, prefix) : lowest_below(physics, root);
-  Pose pose = place.pose;
+  document::Pose pose = place.pose;
   for (std::size_t i = 0; i < 3; ++i) pose.position[i] += is[i] - anchor[i];
   return pose;
 }

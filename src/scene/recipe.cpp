@@ -6,11 +6,11 @@
 #include <sstream>
 
 #include "base/fail.h"
-#include "format/names.h"
+#include "base/names.h"
+#include "document/loader.h"
+#include "document/names.h"
+#include "document/xml.h"
 #include "scene/groups.h"
-#include "scene/loader.h"
-#include "scene/names.h"
-#include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
@@ -32,8 +32,9 @@ std::vector<std::string> words_of(pugi::xml_node root, const char* name) {
 std::set<std::string> parts_of(pugi::xml_node root) {
   std::set<std::string> parts;
   for (const pugi::xml_node world : root.children("worldbody")) {
-    walk(world,
-         [&](pugi::xml_node node) { parts.insert(std::string(node.name()) + " " + node.attribute("name").value()); });
+    document::walk(world, [&](pugi::xml_node node) {
+      parts.insert(std::string(node.name()) + " " + node.attribute("name").value());
+    });
   }
   return parts;
 }
@@ -53,7 +54,7 @@ void drop_missing(pugi::xml_node own, const std::set<std::string>& parts) {
   for (const char* name : {"equality", "custom"}) {
     for (const pugi::xml_node section : own.children(name)) {
       std::vector<pugi::xml_node> missing;
-      walk(section, [&](pugi::xml_node node) {
+      document::walk(section, [&](pugi::xml_node node) {
         if (is_about_missing(node, parts)) missing.push_back(node);
       });
       for (pugi::xml_node node : missing) node.parent().remove_child(node);
@@ -64,17 +65,19 @@ void drop_missing(pugi::xml_node own, const std::set<std::string>& parts) {
 // An element of a name that the section has already gives its attributes to that one: so a recipe switches locks on.
 // Which joint a lock holds, only the infant says; a lock of a recipe that finds none is for another body.
 void merge(pugi::xml_node root, pugi::xml_node part) {
-  pugi::xml_node added = append(root, part.name());
+  pugi::xml_node added = document::append(root, part.name());
   for (const pugi::xml_node element : part.children()) {
     if (element.type() != pugi::node_element) continue;
     const std::string name = element.attribute("name").value();
-    const pugi::xml_node there = name.empty() ? pugi::xml_node() : find_named(root, part.name(), element.name(), name);
-    const bool switches = is(element, "joint") && element.attribute("joint1").empty();
+    const pugi::xml_node there =
+        name.empty() ? pugi::xml_node() : find_named(root, part.name(), element.name(), name);
+    const bool switches = document::is(element, "joint") && element.attribute("joint1").empty();
     if (there.empty()) {
-      if (!switches) copy_into(added, element);
+      if (!switches) document::copy_into(added, element);
       continue;
     }
-    for (const pugi::xml_attribute attribute : element.attributes()) set(there, attribute.name(), attribute.value());
+    for (const pugi::xml_attribute attribute : element.attributes())
+      document::set(there, attribute.name(), attribute.value());
   }
   if (added.first_child().empty()) root.remove_child(added);
 }
@@ -85,7 +88,7 @@ void name_root_joint(pugi::xml_node root, const std::string& prefix, const std::
   if (name == "none") {
     joint.remove_attribute("name");
   } else if (!name.empty()) {
-    set(joint, "name", prefix + name);
+    document::set(joint, "name", prefix + name);
   }
 }
 
@@ -95,10 +98,10 @@ std::string custom_text(pugi::xml_node root, const std::string& name) {
   return find_named(root, "custom", "text", name).attribute("data").value();
 }
 
-Recipe Recipe::of_room(pugi::xml_node room, const Library& library) {
+Recipe Recipe::of_room(pugi::xml_node room, const document::Library& library) {
   Recipe recipe;
   const std::string path = custom_text(room, names::kInfant);
-  if (!path.empty()) recipe.document_ = Loader(library).built_in(path);
+  if (!path.empty()) recipe.document_ = document::Loader(library).built_in(path);
   return recipe;
 }
 
@@ -127,7 +130,7 @@ void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_roo
     pugi::xml_node pose = find_named(own, "custom", "numeric", names::kRootPose);
     if (!pose.empty()) pose.parent().remove_child(pose);
   }
-  prefix_names(own, prefix);
+  document::prefix_names(own, prefix);
   drop_missing(own, parts_of(root));
   for (const pugi::xml_node part : own.children()) {
     if (part.type() == pugi::node_element) merge(root, part);

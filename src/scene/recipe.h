@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/library.h"
+#include "document/library.h"
 
 namespace mimo::scene {
 
@@ -18,7 +18,7 @@ struct Senses {
 class Recipe {
  public:
   // The recipe of a room; an empty one if the room has none.
-  static Recipe of_room(pugi::xml_node room, const Library& library);
+  static Recipe of_room(pugi::xml_node room, const document::Library& library);
 
   // Groups whose motors act; all of them if the recipe does not say.
   unsigned acts() const;

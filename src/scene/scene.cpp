@@ -11,21 +11,21 @@
 #include "base/choice.h"
 #include "base/fail.h"
 #include "base/format.h"
-#include "format/names.h"
-#include "scene/buffers.h"
-#include "scene/compiler.h"
-#include "scene/defaults.h"
+#include "base/names.h"
+#include "document/buffers.h"
+#include "document/compiler.h"
+#include "document/defaults.h"
+#include "document/inertias.h"
+#include "document/lines.h"
+#include "document/loader.h"
+#include "document/merging.h"
+#include "document/names.h"
+#include "document/saving.h"
+#include "document/xml.h"
 #include "scene/growing.h"
-#include "scene/inertias.h"
 #include "scene/joints.h"
-#include "scene/lines.h"
-#include "scene/loader.h"
-#include "scene/merging.h"
-#include "scene/names.h"
 #include "scene/placing.h"
 #include "scene/recipe.h"
-#include "scene/saving.h"
-#include "scene/xml.h"
 
 namespace mimo::scene {
 namespace {
@@ -50,11 +50,11 @@ void require_known(const char* what, const char* const (&list)[N], const std::st
   fail(Status::kNotFound, "no {} named \"{}\"; {}", what, name, choice_of(name, {std::begin(list), std::end(list)}));
 }
 
-pugi::xml_document load(const Library& library, const Source& source) {
+pugi::xml_document load(const document::Library& library, const Source& source) {
   const int given = !source.name.empty() + !source.file.empty() + !source.xml.empty();
   require(given <= 1, "config: name \"{}\", file \"{}\" and xml exclude each other, {} of them are set", source.name,
           source.file, given);
-  Loader loader(library, source.limits, source.log);
+  document::Loader loader(library, source.limits, source.log);
   if (!source.name.empty()) {
     require_known("scene", kScenes, source.name);
     return loader.built_in(source.name + ".xml");
@@ -107,10 +107,10 @@ void add_assets(pugi::xml_node root, pugi::xml_node assets) {
       there.insert(std::string(asset.name()) + " " + asset.attribute("name").value());
     }
   }
-  const pugi::xml_node added = append(root, "asset");
+  const pugi::xml_node added = document::append(root, "asset");
   for (const pugi::xml_node asset : assets.children()) {
     const bool is_new = there.count(std::string(asset.name()) + " " + asset.attribute("name").value()) == 0;
-    if (asset.type() == pugi::node_element && is_new) copy_into(added, asset);
+    if (asset.type() == pugi::node_element && is_new) document::copy_into(added, asset);
   }
   if (added.first_child().empty()) root.remove_child(added);
 }
@@ -126,45 +126,46 @@ bool has_class(pugi::xml_node root, const std::string& name) {
 std::vector<double> numbers_of(pugi::xml_node root, const char* name) {
   for (const pugi::xml_node custom : root.children("custom")) {
     const pugi::xml_node node = custom.find_child_by_attribute("numeric", "name", name);
-    if (!node.empty()) return numbers(node.attribute("data"));
+    if (!node.empty()) return document::numbers(node.attribute("data"));
   }
   return {};
 }
 
 // What a document says to all of itself, said so that it does not reach what is put beside it.
-void stand_alone(pugi::xml_document& document, const Limits& limits) {
+void stand_alone(pugi::xml_document& document, const document::Limits& limits) {
   const pugi::xml_node root = document.document_element();
-  require_local_coordinates(root, "the scene");
-  weigh_alone(document, "the scene", limits);
-  if (has_main_defaults(root)) name_main_defaults(root, names::kMainClass);
+  document::require_local_coordinates(root, "the scene");
+  document::weigh_alone(document, "the scene", limits);
+  if (document::has_main_defaults(root)) document::name_main_defaults(root, names::kMainClass);
 }
 
 void require_other_names(pugi::xml_node infant, pugi::xml_node root, const std::string& prefix) {
-  const std::string shared = shared_name(infant, root);
+  const std::string shared = document::shared_name(infant, root);
   require(shared.empty(), "agent name \"{}\": the scene already has a {}; {}", prefix.substr(0, prefix.find('/')),
           shared,
           prefix.empty() ? "give the agent a name: it goes before all the names of its body" : "give another name");
 }
 
 // Puts an infant without a place where there is one for it.
-void find_spot(pugi::xml_document& document, const std::string& prefix, const Limits& limits) {
-  constexpr Pose kOutOfTheWay{{0, 0, 1000}, {1, 0, 0, 0}};
-  const pugi::xml_node body = find_named(document, "body", prefix + names::kRootBody);
-  set_pose(body, kOutOfTheWay);
-  engine::Physics physics = at_start(compile_quietly(document, limits));
-  set_pose(body, free_spot(physics, prefix));
+void find_spot(pugi::xml_document& document, const std::string& prefix, const document::Limits& limits) {
+  constexpr document::Pose kOutOfTheWay{{0, 0, 1000}, {1, 0, 0, 0}};
+  const pugi::xml_node body = document::find_named(document, "body", prefix + names::kRootBody);
+  document::set_pose(body, kOutOfTheWay);
+  engine::Physics physics = at_start(document::compile_quietly(document, limits));
+  document::set_pose(body, free_spot(physics, prefix));
 }
 
 // Puts an infant where a part of it that is not its root has to be.
-void put_by_anchor(pugi::xml_document& document, const std::string& prefix, const Place& place, const Limits& limits) {
-  const pugi::xml_node body = find_named(document, "body", prefix + names::kRootBody);
-  set_pose(body, place.pose);
-  set_pose(body, root_of(at_start(compile_quietly(document, limits)), prefix, place));
+void put_by_anchor(pugi::xml_document& document, const std::string& prefix, const document::Place& place,
+                   const document::Limits& limits) {
+  const pugi::xml_node body = document::find_named(document, "body", prefix + names::kRootBody);
+  document::set_pose(body, place.pose);
+  document::set_pose(body, root_of(at_start(document::compile_quietly(document, limits)), prefix, place));
 }
 
 int count_bodies(pugi::xml_node root) {
   int count = 0;
-  walk(root, [&](pugi::xml_node node) { count += std::string(node.name()) == "body" ? 1 : 0; });
+  document::walk(root, [&](pugi::xml_node node) { count += std::string(node.name()) == "body" ? 1 : 0; });
   return count;
 }
 
@@ -177,23 +178,23 @@ Document settled(pugi::xml_document&& document) {
 std::string kind_of(const std::string& body) { return body.substr(0, body.rfind(kMirrored)); }
 
 void turn_around(pugi::xml_node node, const char* attribute, std::size_t axis) {
-  std::vector<double> vector = numbers(node.attribute(attribute));
+  std::vector<double> vector = document::numbers(node.attribute(attribute));
   vector.at(axis) = -vector.at(axis);
-  set(node, attribute, Span<const double>(vector));
+  document::set(node, attribute, Span<const double>(vector));
 }
 
 // The left of the original's infants is the mirror image of their right, but for this: both mitten hands lie 7 mm off
 // the axis of their forearms to the same side, and the left little finger's first bone turns about another axis.
-pugi::xml_document body_document(const Library& models, const std::string& body) {
+pugi::xml_document body_document(const document::Library& models, const std::string& body) {
   const std::string kind = kind_of(body);
-  pugi::xml_document document = Loader(models).built_in(kind + ".xml");
+  pugi::xml_document document = document::Loader(models).built_in(kind + ".xml");
   if (kind == body) return document;
   const pugi::xml_node root = document.document_element();
   if (kind == "mitten") {
-    turn_around(find_named(root, "body", "left_hand"), "pos", 1);
-    turn_around(find_named(root, "joint", "robot:left_hand1"), "pos", 1);
+    turn_around(document::find_named(root, "body", "left_hand"), "pos", 1);
+    turn_around(document::find_named(root, "joint", "robot:left_hand1"), "pos", 1);
   } else {
-    turn_around(find_named(root, "joint", "robot:left_lf_meta"), "axis", 2);
+    turn_around(document::find_named(root, "joint", "robot:left_lf_meta"), "axis", 2);
   }
   return document;
 }
@@ -224,8 +225,8 @@ Scene::Scene(const Source& source)
 
 void Scene::set_room(const std::string& room) {
   require_known("room", kRooms, room);
-  const pugi::xml_document guest = Loader(models_).built_in("free.xml");
-  pugi::xml_document changed = copy(*document_);
+  const pugi::xml_document guest = document::Loader(models_).built_in("free.xml");
+  pugi::xml_document changed = document::copy(*document_);
   const pugi::xml_node root = changed.document_element();
   require(!has_class(root, kRoomClass), "room \"{}\": the scene has a room already", room);
   require(!has_name("geom", "floor"), "room \"{}\": the scene has a geom named \"floor\" already", room);
@@ -237,18 +238,18 @@ void Scene::set_room(const std::string& room) {
     const bool setting = name == "option" || name == "statistic" || name == "visual";
     if (name == "custom" && has_places) continue;
     if (part.type() != pugi::node_element) continue;
-    setting ? copy_before(own_start, part) : copy_into(root, part);
+    setting ? document::copy_before(own_start, part) : document::copy_into(root, part);
   }
   pugi::xml_node(root).remove_child(own_start);
   document_ = settled(std::move(changed));
 }
 
-void Scene::add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups,
-                     Anchor anchor) {
+void Scene::add_body(const std::string& body, const std::string& prefix, const document::Pose* pose, unsigned groups,
+                     document::Anchor anchor) {
   require_known("body", kBodies, body);
   const bool no_place =
       pose == nullptr && bodies_ == 0 && numbers_of(document_->document_element(), names::kPlaces).empty();
-  const std::optional<Pose> place = pose != nullptr ? *pose : free_place();
+  const std::optional<document::Pose> place = pose != nullptr ? *pose : free_place();
   require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_->document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
@@ -258,27 +259,27 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
 
   const pugi::xml_document guest = body_document(models_, body);
   const pugi::xml_node guest_root = guest.document_element();
-  pugi::xml_document changed = copy(*document_);  // what fails half-way must leave the scene as it is
+  pugi::xml_document changed = document::copy(*document_);  // what fails half-way must leave the scene as it is
   const pugi::xml_node root = changed.document_element();
-  prefix_names(guest_root, prefix);
+  document::prefix_names(guest_root, prefix);
   require_other_names(guest_root, root, prefix);
   stand_alone(changed, limits_);
-  if (in_radians(root)) convert_to_radians(guest_root);
+  if (document::in_radians(root)) document::convert_to_radians(guest_root);
   const bool known = added_.count(kind) > 0;
   const std::string classes = known ? added_.at(kind).classes : has_class(root, kBodyClass) ? kind + ":" : "";
-  prefix_classes(guest_root, classes);
+  document::prefix_classes(guest_root, classes);
   for (const pugi::xml_node part : guest_root.children()) {
     const std::string name = part.name();
     if (name == "compiler" || part.type() != pugi::node_element) continue;
     if (name == "asset") {
       add_assets(root, part);
     } else if (name != "default" || !known) {
-      copy_into(root, part);
+      document::copy_into(root, part);
     }
   }
   for (const pugi::xml_node world : root.children("worldbody")) {
     const pugi::xml_node added = world.find_child_by_attribute("body", "name", (prefix + names::kRootBody).c_str());
-    if (!added.empty()) set_pose(added, *place);
+    if (!added.empty()) document::set_pose(added, *place);
   }
   if (groups != 0) {
     keep_motors(root, prefix, groups);
@@ -290,8 +291,8 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
   if (pose != nullptr || built_in_.empty()) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
   if (no_place && numbers_of(root, (prefix + names::kRootPose).c_str()).empty()) unplaced = prefix;
-  std::map<std::string, Place> anchored = anchored_;
-  if (pose != nullptr && anchor != Anchor::kRoot) anchored.emplace(prefix, Place{*pose, anchor});
+  std::map<std::string, document::Place> anchored = anchored_;
+  if (pose != nullptr && anchor != document::Anchor::kRoot) anchored.emplace(prefix, document::Place{*pose, anchor});
   Document next = settled(std::move(changed));
   Added& added = added_.emplace(kind, Added{0, classes}).first->second;
   to_check_ = std::move(to_check);
@@ -304,13 +305,13 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const P
 
 void Scene::choose_motors(const std::string& prefix, unsigned groups) {
   if (groups == 0) return;
-  pugi::xml_document changed = copy(*document_);
+  pugi::xml_document changed = document::copy(*document_);
   keep_motors(changed.document_element(), prefix, groups);
   document_ = settled(std::move(changed));
 }
 
 void Scene::grow(const std::string& prefix, const growth::Growth& growth) {
-  const pugi::xml_document trial = copy(*document_);
+  const pugi::xml_document trial = document::copy(*document_);
   scene::grow(trial.document_element(), prefix, growth);
   grown_[prefix] = growth;
 }
@@ -332,23 +333,23 @@ UsualInfant Scene::usual_infant() const {
 void Scene::add_object(const Object& object) {
   require(!has_name("body", object.name) && !has_name("geom", object.name),
           "object name \"{}\": the scene already has a body or geom of that name", object.name);
-  pugi::xml_document changed = copy(*document_);
+  pugi::xml_document changed = document::copy(*document_);
   stand_alone(changed, limits_);
-  const pugi::xml_node body = append(section(changed.document_element(), "worldbody"), "body");
-  set(body, "name", object.name);
-  set_pose(body, object.pose);
-  if (!object.fixed) set(append(body, "freejoint"), "name", object.name);
-  const pugi::xml_node geom = append(body, "geom");
-  set(geom, "name", object.name);
-  set(geom, "type", shape_name(object.shape));
-  set(geom, "size", Span<const double>(object.size));
-  set(geom, "rgba", Span<const double>(object.rgba));
+  const pugi::xml_node body = document::append(document::section(changed.document_element(), "worldbody"), "body");
+  document::set(body, "name", object.name);
+  document::set_pose(body, object.pose);
+  if (!object.fixed) document::set(document::append(body, "freejoint"), "name", object.name);
+  const pugi::xml_node geom = document::append(body, "geom");
+  document::set(geom, "name", object.name);
+  document::set(geom, "type", shape_name(object.shape));
+  document::set(geom, "size", Span<const double>(object.size));
+  document::set(geom, "rgba", Span<const double>(object.rgba));
   const double mass = object.mass > 0 ? object.mass : 1000 * volume(object);
-  set(geom, "mass", Span<const double>(&mass, 1));
-  set(geom, "condim", "6");
-  set(geom, "friction", "1 0.005 0.0001");
-  set(geom, "solref", "0.005 1");
-  set(geom, "solimp", "0.95 0.99 0.001 0.5 1");
+  document::set(geom, "mass", Span<const double>(&mass, 1));
+  document::set(geom, "condim", "6");
+  document::set(geom, "friction", "1 0.005 0.0001");
+  document::set(geom, "solref", "0.005 1");
+  document::set(geom, "solimp", "0.95 0.99 0.001 0.5 1");
   document_ = settled(std::move(changed));
   ++objects_;
 }
@@ -356,40 +357,40 @@ void Scene::add_object(const Object& object) {
 void Scene::add_model(const Model& model) {
   require(model.file.empty() != model.xml.empty(), "model \"{}\": {} of file and xml are set, expected one", model.name,
           model.file.empty() ? "none" : "both");
-  require_plain(model.name);
+  document::require_plain(model.name);
   require(!has_name("body", model.name) && !has_name("joint", model.name) && !has_name("freejoint", model.name) &&
-              !has_names_with(document_->document_element(), model.name + "/"),
+              !document::has_names_with(document_->document_element(), model.name + "/"),
           "model name \"{}\": the scene already has something of that name", model.name);
-  Loader loader(models_, limits_, log_);
+  document::Loader loader(models_, limits_, log_);
   pugi::xml_document guest = model.file.empty() ? loader.text(model.xml) : loader.file(model.file);
-  pugi::xml_document changed = copy(*document_);
+  pugi::xml_document changed = document::copy(*document_);
   const pugi::xml_node root = changed.document_element();
   stand_alone(changed, limits_);
   become_object(guest, root, model, limits_);
   for (const char* name :
        {"default", "asset", "worldbody", "contact", "equality", "tendon", "actuator", "sensor", "custom"}) {
-    for (const pugi::xml_node part : guest.document_element().children(name)) copy_into(root, part);
+    for (const pugi::xml_node part : guest.document_element().children(name)) document::copy_into(root, part);
   }
   document_ = settled(std::move(changed));
   objects_ += count_bodies(guest.document_element());
 }
 
-void Scene::weld(const Weld& weld, const Pose* pose) {
+void Scene::weld(const Weld& weld, const document::Pose* pose) {
   require_bodies(document_->document_element(), weld);
   if (pose == nullptr) return start_welds_.push_back(weld);
-  pugi::xml_document changed = copy(*document_);
+  pugi::xml_document changed = document::copy(*document_);
   add_weld(changed.document_element(), weld, *pose);
   document_ = settled(std::move(changed));
 }
 
 void Scene::start_joint(const std::string& joint, double value) {
-  pugi::xml_document changed = copy(*document_);
+  pugi::xml_document changed = document::copy(*document_);
   scene::start_joint(changed.document_element(), joint, value);
   document_ = settled(std::move(changed));
 }
 
 void Scene::lock_joint(const std::string& joint, double value) {
-  pugi::xml_document changed = copy(*document_);
+  pugi::xml_document changed = document::copy(*document_);
   scene::lock_joint(changed.document_element(), joint, value);
   document_ = settled(std::move(changed));
 }
@@ -397,44 +398,44 @@ void Scene::lock_joint(const std::string& joint, double value) {
 void Scene::add_camera(const Camera& camera) {
   require(!has_name("camera", camera.name), "camera name \"{}\": the scene already has a camera of that name",
           camera.name);
-  pugi::xml_document changed = copy(*document_);
-  const pugi::xml_node carrier =
-      camera.body.empty() ? section(changed.document_element(), "worldbody") : find_named(changed, "body", camera.body);
+  pugi::xml_document changed = document::copy(*document_);
+  const pugi::xml_node carrier = camera.body.empty() ? document::section(changed.document_element(), "worldbody")
+                                                     : document::find_named(changed, "body", camera.body);
   if (carrier.empty()) fail(Status::kNotFound, "camera \"{}\": no body named \"{}\"", camera.name, camera.body);
-  const pugi::xml_node node = append(carrier, "camera");
-  set(node, "name", camera.name);
-  set(node, "mode", "fixed");
-  set(node, "pos", Span<const double>(camera.position));
-  set(node, "xyaxes", Span<const double>(picture_axes(camera)));
-  set(node, "fovy", Span<const double>(&camera.fovy, 1));
+  const pugi::xml_node node = document::append(carrier, "camera");
+  document::set(node, "name", camera.name);
+  document::set(node, "mode", "fixed");
+  document::set(node, "pos", Span<const double>(camera.position));
+  document::set(node, "xyaxes", Span<const double>(picture_axes(camera)));
+  document::set(node, "fovy", Span<const double>(&camera.fovy, 1));
   document_ = settled(std::move(changed));
 }
 
 pugi::xml_document Scene::finished() const {
-  pugi::xml_document document = copy(*document_);
+  pugi::xml_document document = document::copy(*document_);
   const pugi::xml_node root = document.document_element();
   const auto count = [&](const char* body) { return added_.count(body) > 0 ? added_.at(body).count : 0; };
-  size_buffers(root, count("mitten"), count("fingers"), objects_);
+  document::size_buffers(root, count("mitten"), count("fingers"), objects_);
   const bool infants = bodies_ > 0 || has_name("body", names::kRootBody);
-  if (infants) keep_hands_in_sight(root);
+  if (infants) document::keep_hands_in_sight(root);
   if (bodies_ + objects_ > 0) {
-    put_stateful_last(root);
-    fit_user_numbers(root);
+    document::put_stateful_last(root);
+    document::fit_user_numbers(root);
   }
   // Keyframes are positions of all joints that the document had by itself.
   while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
-  settle(root);
+  document::settle(root);
   for (const auto& [prefix, growth] : grown_) scene::grow(root, prefix, growth);
   for (const auto& [prefix, place] : anchored_) put_by_anchor(document, prefix, place, limits_);
   if (unplaced_) find_spot(document, *unplaced_, limits_);
-  if (!start_welds_.empty()) add_start_welds(root, start_welds_, compile_quietly(document, limits_));
+  if (!start_welds_.empty()) add_start_welds(root, start_welds_, document::compile_quietly(document, limits_));
   return document;
 }
 
 // Without what only we can read.
 pugi::xml_document Scene::shown() const {
   pugi::xml_document document = finished();
-  take_lines(document.document_element());
+  document::take_lines(document.document_element());
   return document;
 }
 
@@ -444,11 +445,11 @@ void Scene::check_places(const engine::ModelPtr& model, const LogSink& log) cons
   for (const std::string& prefix : to_check_) warn_of_overlap(physics, prefix, log);
 }
 
-std::string Scene::xml() const { return print(shown()); }
+std::string Scene::xml() const { return document::print(shown()); }
 
-void Scene::save(const std::string& folder) const { scene::save(shown(), folder); }
+void Scene::save(const std::string& folder) const { document::save(shown(), folder); }
 
-Composition Scene::compose() const { return packed(finished(), limits_); }
+document::Composition Scene::compose() const { return document::packed(finished(), limits_); }
 
 std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   const auto is = [&](pugi::xml_node node, const std::string& name) {
@@ -457,7 +458,7 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
   const pugi::xml_node root =
       document_->find_node([&](pugi::xml_node node) { return is(node, prefix + names::kRootBody); });
   std::vector<std::string> names;
-  walk(root, [&](pugi::xml_node node) {
+  document::walk(root, [&](pugi::xml_node node) {
     const std::string name = node.attribute("name").value();
     if (is(node, name) && name.size() > prefix.size()) names.push_back(name.substr(prefix.size()));
   });
@@ -465,15 +466,15 @@ std::vector<std::string> Scene::body_names(const std::string& prefix) const {
 }
 
 bool Scene::has_name(const char* element, const std::string& name) const {
-  return !find_named(*document_, element, name).empty();
+  return !document::find_named(*document_, element, name).empty();
 }
 
-std::optional<Pose> Scene::free_place() const {
+std::optional<document::Pose> Scene::free_place() const {
   const std::vector<double> places = numbers_of(document_->document_element(), names::kPlaces);
   const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
-  if (places.empty() && bodies_ == 0) return Pose{};
+  if (places.empty() && bodies_ == 0) return document::Pose{};
   if (places.size() < first + 7) return std::nullopt;
-  Pose pose;
+  document::Pose pose;
   std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first), 3, pose.position.begin());
   std::copy_n(places.begin() + static_cast<std::ptrdiff_t>(first) + 3, 4, pose.orientation.begin());
   return pose;

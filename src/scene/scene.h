@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "base/log.h"
+#include "document/composition.h"
+#include "document/library.h"
+#include "document/limits.h"
+#include "document/pose.h"
 #include "growth/growth.h"
-#include "scene/composition.h"
 #include "scene/guest.h"
-#include "scene/library.h"
-#include "scene/limits.h"
-#include "scene/pose.h"
 #include "scene/recipe.h"
 #include "scene/welds.h"
 
@@ -27,7 +27,7 @@ struct Source {
   std::string file;
   std::string xml;
   std::string model_dir;
-  Limits limits;
+  document::Limits limits;
   LogSink log;  // for what is not as the document's author meant it
 };
 
@@ -39,7 +39,7 @@ struct Object {
   std::string name;
   Shape shape = Shape::kSphere;
   std::array<double, 3> size{};
-  Pose pose;
+  document::Pose pose;
   double mass = 0;  // 0: from a density of 1000 kg/m^3
   std::array<double, 4> rgba{};
   bool fixed = false;
@@ -74,8 +74,8 @@ class Scene {
   // Adds the body of an infant ("mitten", "fingers", "mitten-mirrored", ...). Its model names get the prefix; no pose
   // means the scene's own place, and where it names none, on what is below or beside the origin; only motors of the
   // groups act, 0 means the scene's own choice.
-  void add_body(const std::string& body, const std::string& prefix, const Pose* pose, unsigned groups = 0,
-                Anchor anchor = Anchor::kRoot);
+  void add_body(const std::string& body, const std::string& prefix, const document::Pose* pose, unsigned groups = 0,
+                document::Anchor anchor = document::Anchor::kRoot);
   // The same choice for an infant that the document brings along; 0 leaves its motors as they are.
   void choose_motors(const std::string& prefix, unsigned groups);
   // Gives an infant, also one that the document brings along, another age; the last one counts. Throws what
@@ -89,13 +89,13 @@ class Scene {
   UsualInfant usual_infant() const;
   // The room's place for it; the origin in a room that names none, near which it is put. Nothing where all places are
   // taken.
-  std::optional<Pose> free_place() const;
+  std::optional<document::Pose> free_place() const;
   void add_object(const Object& object);
   void add_model(const Model& model);
   void add_camera(const Camera& camera);
 
   // Fastens a body; without a pose as they are to each other where the scene starts.
-  void weld(const Weld& weld, const Pose* pose);
+  void weld(const Weld& weld, const document::Pose* pose);
   // Where a hinge or slide starts, and a joint that is held there.
   void start_joint(const std::string& joint, double value);
   void lock_joint(const std::string& joint, double value);
@@ -110,8 +110,9 @@ class Scene {
   // what compile throws where bodies are fastened as they start, or an infant has no place. What is composed keeps
   // within the limits; throws Status::kModel else.
   std::string xml() const;
-  Composition compose() const;
-  // The document with all its files, for tools that know nothing of libmimo; throws what xml() and scene::save throw.
+  document::Composition compose() const;
+  // The document with all its files, for tools that know nothing of libmimo; throws what xml() and document::save
+  // throw.
   void save(const std::string& folder) const;
 
  private:
@@ -119,15 +120,15 @@ class Scene {
   pugi::xml_document shown() const;
   bool has_name(const char* element, const std::string& name) const;
 
-  Library models_;
-  Limits limits_;
+  document::Library models_;
+  document::Limits limits_;
   LogSink log_;
   Document document_;
   std::string built_in_;                         // name of the built-in scene that it started from; empty for others
   std::optional<std::string> unplaced_;          // prefix of the infant for whom nobody named a place
   std::map<std::string, growth::Growth> grown_;  // by prefix: what of another age is to be made of infants
-  std::map<std::string, Place> anchored_;        // by prefix: infants whose roots follow from where their soles are
-  std::vector<std::string> to_check_;            // prefixes of infants whose places may be taken
+  std::map<std::string, document::Place> anchored_;  // by prefix: infants whose roots follow from where their soles are
+  std::vector<std::string> to_check_;                // prefixes of infants whose places may be taken
   int bodies_ = 0;
   int objects_ = 0;
   std::vector<Weld> start_welds_;  // they follow from all the rest, so they are added last

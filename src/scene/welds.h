@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "document/pose.h"
 #include "engine/model.h"
-#include "scene/pose.h"
 
 namespace mimo::scene {
 
@@ -19,7 +19,7 @@ struct Weld {
 void require_bodies(pugi::xml_node root, const Weld& weld);
 
 // Fastens the body in a pose in the other's frame.
-void add_weld(pugi::xml_node root, const Weld& weld, const Pose& pose);
+void add_weld(pugi::xml_node root, const Weld& weld, const document::Pose& pose);
 
 // Fastens bodies as they are to each other where the model, made from the same document, starts.
 void add_start_welds(pugi::xml_node root, const std::vector<Weld>& welds, const engine::ModelPtr& model);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "format/names.h"
+#include "base/names.h"
 #include "tasks/contacts.h"
 #include "tasks/vectors.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
-#include "format/names.h"
+#include "base/names.h"
 #include "tasks/vectors.h"
 
 namespace mimo::tasks {

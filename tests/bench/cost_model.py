@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""What a step costs, so that it can be predicted for a scene of one's own: fits a model to measurements of mimo bench.
+"""What a step costs, so that it can be predicted for a scene of one's own: fits a model to measurements of mimo-bench.
 
     tests/bench/cost_model.py                   measures (about two minutes), fits, prints the model and its residuals
     tests/bench/cost_model.py --save runs.json  keeps the measurements as well
     tests/bench/cost_model.py --load runs.json  fits to kept ones
 
 Parts are fitted one by one, to their own clocks, by least squares of relative errors. The unit is the reference step
-(reference_us of mimo bench), measured in turns with each: multiply by that of your machine. Needs numpy.
+(reference_us of mimo-bench), measured in turns with each: multiply by that of your machine. Needs numpy.
 """
 import json
 import pathlib

@@ -84,7 +84,7 @@ void bench_making(const char* scene, Reference& reference) {
 void bench_ten_infants() {
   scene::Scene scene(named("free"));
   for (int i = 0; i < 10; ++i) {
-    const scene::Pose pose{{0.8 * (i % 5), 0.8 * (i / 5), 0.3}, {1, 0, 0, 0}};
+    const document::Pose pose{{0.8 * (i % 5), 0.8 * (i / 5), 0.3}, {1, 0, 0, 0}};
     scene.add_body("mitten", "i" + std::to_string(i) + "/", &pose);
   }
   const engine::Physics physics(compile(scene), {});

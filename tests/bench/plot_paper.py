@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws what `mimo bench --paper --csv FILE` measured as the bars of the paper's Fig. 3.
+"""Draws what `mimo-bench --paper --csv FILE` measured as the bars of the paper's Fig. 3.
 
     tests/bench/plot_paper.py paper.csv benchmark.png
 

@@ -33,7 +33,7 @@ UNNOTICED = 0.001
 
 
 def bench(*arguments):
-    return ["mimo", "bench", "--json", *arguments]
+    return ["mimo-bench", "--json", *arguments]
 
 
 BLIND = bench("--vision", "off", "--steps", "800")
@@ -169,7 +169,7 @@ def measure(ratios):
     """The median of each ratio over some rounds. The bench programs take medians themselves: once is enough."""
     values = {name: [] for name, _, _ in ratios}
     for index in range(ROUNDS):
-        commands = {tuple(command) for _, command, _ in ratios if index == 0 or command[0] == "mimo"}
+        commands = {tuple(command) for _, command, _ in ratios if index == 0 or command[0] == "mimo-bench"}
         results = {command: run(command) for command in sorted(commands)}
         for name, command, read in ratios:
             if tuple(command) in results:

@@ -1,16 +1,19 @@
-"""`mimo bench`: how fast it is."""
+"""`mimo-bench`: how fast the worlds step."""
 import json
 import unittest
 
-from program import Case, needs_renderer
+from program import BENCH, Case, needs_renderer
 
 
 class Bench(Case):
     KEYS = {"steps", "wall_s", "realtime_factor", "ms_per_step", "split_ms", "touch_sensors", "mean_contacts",
             "raw_physics_us", "reference_us", "allocations_per_step", "step_vs_raw"}
 
+    def mimo_bench(self, *arguments, code=0):
+        return self.run_program(BENCH, *arguments, code=code)
+
     def bench(self, *arguments):
-        return json.loads(self.mimo("bench", "--json", *arguments))
+        return json.loads(self.mimo_bench("--json", *arguments))
 
     def test_numbers_fit_together(self):
         result = self.bench("--vision", "off", "--steps", "60")
@@ -68,13 +71,23 @@ class Bench(Case):
         self.assertEqual(self.bench("--vision", "off", "--steps", "2")["degrees_of_freedom"], 65)
 
     def test_more_threads_than_worlds(self):
-        self.assertIn("--threads", self.mimo("bench", "--worlds", "2", "--threads", "3", code=1))
+        self.assertIn("--threads", self.mimo_bench("--worlds", "2", "--threads", "3", code=1))
 
     def test_other_scenes(self):
         self.assertEqual(self.bench("--scene", "free", "--vision", "off", "--steps", "3")["steps"], 3)
 
+    def test_wrong_usage(self):
+        self.assertIn("mimo-bench --paper", self.mimo_bench("--help"))
+        self.assertRegex(self.mimo_bench("--version"), r"^mimo-bench \d+\.\d+\.\d+")
+        for arguments in (["--steps", "0"], ["--worlds", "0"], ["--threads", "0"], ["bench"]):
+            with self.subTest(arguments=arguments):
+                self.assertIn("--help", self.mimo_bench(*arguments, code=2))
+        for option, unknown in (("--scene", "moon"), ("--body", "octopus")):
+            self.assertIn(unknown, self.mimo_bench("--vision", "off", option, unknown, code=1))
+        self.assertIn("no folder", self.mimo_bench("--paper", "--csv", "no/a.csv", code=1))
+
     def test_for_people(self):
-        self.assertRegex(self.mimo("bench", "--vision", "off", "--steps", "3"), r"ms_per_step +\d")
+        self.assertRegex(self.mimo_bench("--vision", "off", "--steps", "3"), r"ms_per_step +\d")
         self.assertEqual(self.files(), [])
 
 

@@ -12,6 +12,7 @@ import unittest
 import zlib
 
 PROGRAM = os.environ.get("MIMO_PROGRAM", "mimo")
+BENCH = str(pathlib.Path(PROGRAM).with_name("mimo-bench"))  # lies beside it in build folders
 SOURCES = pathlib.Path(__file__).resolve().parent.parent.parent
 GOLDEN = SOURCES / "tests/golden"
 # Of the scene that the program shows without further words.
@@ -86,7 +87,10 @@ class Case(unittest.TestCase):
 
     def mimo(self, *arguments, code=0, env=None):
         """Runs the program in an empty folder; returns its standard output, or the error line if it should fail."""
-        done = subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        return self.run_program(PROGRAM, *arguments, code=code, env=env)
+
+    def run_program(self, program, *arguments, code=0, env=None):
+        done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                               universal_newlines=True, cwd=self.folder, env=dict(os.environ, **(env or {})))
         self.assertEqual(done.returncode, code, done.stderr)
         if code == 0:

@@ -10,7 +10,7 @@ from program import PROGRAM, SOURCES, Case
 class Usage(Case):
     def test_help(self):
         self.assertIn("rollout", self.mimo("--help"))
-        for command in ("run", "bench", "info", "render", "rollout", "export", "record", "replay"):
+        for command in ("run", "info", "render", "rollout", "export", "record", "replay"):
             text = self.mimo(command, "--help")
             self.assertIn("Example", text)
             self.assertIn("mimo " + command, text)
@@ -31,7 +31,6 @@ class Usage(Case):
                           ["run", "--touch", "0"], ["run", "--touch", "-1"], ["run", "--touch", "many"],
                           ["run", "--touch", "nan"], ["run", "--seed", "-1"], ["run", "--seed", "18446744073709551616"],
                           ["run", "--sound", "a.mp3"], ["run", "--full-scale", "0"],
-                          ["bench", "--steps", "0"], ["bench", "--worlds", "0"], ["bench", "--threads", "0"],
                           ["render"], ["render", "--out", "a.png", "--width", "0"],
                           ["render", "--out", "a.png", "--camera", "eye_left", "--distance", "1"],
                           ["rollout", "--out", "a.json"], ["rollout", "--controls", "a.csv"],
@@ -44,7 +43,7 @@ class Usage(Case):
         self.assertEqual(self.files(), [])
 
     def test_unknown_things_are_named(self):
-        commands = (["info"], ["export", "--gltf", "a.glb"], ["record", "--out", "a.h5"], ["run"], ["bench", "--vision", "off"], ["render", "--out", "a.png"])
+        commands = (["info"], ["export", "--gltf", "a.glb"], ["record", "--out", "a.h5"], ["run"], ["render", "--out", "a.png"])
         for command in commands:
             self.assertIn("moon", self.mimo(*command, "--scene", "moon", code=1))
             self.assertIn("moon.xml", self.mimo(*command, "--scene", "moon.xml", code=1))
@@ -53,8 +52,7 @@ class Usage(Case):
 
     def test_places_that_cannot_be_written_are_found_before_any_work(self):
         # What would take work is missing or too long: the complaint is still about the place.
-        for command in (["render", "--scene", "moon", "--out"], ["render", "--scene", "moon", "--out", "a.png", "--depth"],
-                        ["bench", "--paper", "--csv"]):
+        for command in (["render", "--scene", "moon", "--out"], ["render", "--scene", "moon", "--out", "a.png", "--depth"]):
             self.assertIn("no folder", self.mimo(*command, "no/a.png", code=1))
         controls = self.write("controls.csv", "act:hip_bend\n" + "0\n" * 1000000)
         self.assertIn("no folder", self.mimo("rollout", "--controls", controls, "--out", "no/a.json", code=1))
@@ -67,7 +65,7 @@ class Usage(Case):
         explained = set(re.findall(r"\.It .*", explained))
         explained = {option for line in explained for option in re.findall(r"Fl -([a-z-]+)", line)}
         used = set()
-        for command in ("run", "bench", "info", "render", "rollout", "export", "record", "replay"):
+        for command in ("run", "info", "render", "rollout", "export", "record", "replay"):
             part = re.search(r"\n\.Cm %s\n(.*?)(\n\.Nm|\Z)" % command, synopsis, re.S).group(1)
             help_text = self.mimo(command, "--help")
             options = set(re.findall(r"^ +(?:-h,)?--([a-z-]+)", help_text, re.M)) - {"help"}

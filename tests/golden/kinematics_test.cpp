@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/recording.h"
 
 namespace mimo::test {
@@ -14,7 +14,7 @@ using engine::Kind;
 std::vector<double> inertia_diagonal(const mjModel& model, const mjData& data) {
   std::vector<double> diagonal;
   for (int dof = 0; dof < model.nv; ++dof) {
-    engine::compat::visit_inertia(model, data, dof, [&](int other, double value) {
+    compat::visit_inertia(model, data, dof, [&](int other, double value) {
       if (other == dof) diagonal.push_back(value);
     });
   }

@@ -8,7 +8,7 @@
 #include <ostream>
 
 #include "base/format.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "senses/touch/spacing.h"
 #include "senses/touch/surface.h"
 #include "support/recording.h"
@@ -172,10 +172,10 @@ engine::ModelPtr held_under_a_ball(const Json& recorded) {
       "' condim='3'/></body></worldbody><equality><weld body1='mimo_location' solref='.01 1' "
       "solimp='.9999 .9999 .001 .5 1'/></equality></mujoco>"));
   const std::vector<double> quat = recorded.at("root_quat_wxyz");
-  const scene::Pose pose{{0, 0, 1}, {quat[0], quat[1], quat[2], quat[3]}};
+  const document::Pose pose{{0, 0, 1}, {quat[0], quat[1], quat[2], quat[3]}};
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
-  std::fill_n(const_cast<mjModel*>(model.get())->*engine::compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
+  std::fill_n(const_cast<mjModel*>(model.get())->*compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
   return model;
 }
 

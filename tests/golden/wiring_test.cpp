@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/recording.h"
@@ -134,9 +134,9 @@ TEST_P(GoldenWiring, Equalities) {
     EXPECT_EQ(m.eq_type[id], weld ? mjEQ_WELD : mjEQ_JOINT);
     EXPECT_EQ(name_of(object, m.eq_obj1id[id]), row.text("obj1"));
     EXPECT_EQ(m.eq_obj2id[id] < 0 ? "" : name_of(object, m.eq_obj2id[id]), row.text("obj2"));
-    if (!weld && (m.*engine::compat::kLockFlags)[id] != 0)
+    if (!weld && (m.*compat::kLockFlags)[id] != 0)
       continue;  // the original locks after loading: see GoldenSelfbody.SitsLocked
-    EXPECT_EQ((m.*engine::compat::kLockFlags)[id], row.integer("active"));
+    EXPECT_EQ((m.*compat::kLockFlags)[id], row.integer("active"));
     EXPECT_TRUE(close(row.numbers("data"), m.eq_data + mjNEQDATA * id));
     EXPECT_TRUE(close(row.numbers("solref"), m.eq_solref + mjNREF * id));
     EXPECT_TRUE(close(row.numbers("solimp"), m.eq_solimp + mjNIMP * id));
@@ -189,7 +189,7 @@ TEST(GoldenSelfbody, SitsLocked) {
   const Json stored = read_json("poses.json").at("selfbody").at("stored");
   int locked = 0;
   for (int id = 0; id < m.neq; ++id) {
-    if (m.eq_type[id] != mjEQ_JOINT || (m.*engine::compat::kLockFlags)[id] == 0) continue;
+    if (m.eq_type[id] != mjEQ_JOINT || (m.*compat::kLockFlags)[id] == 0) continue;
     const std::string joint = name_of(mjOBJ_JOINT, m.eq_obj1id[id]);
     EXPECT_EQ(m.eq_data[mjNEQDATA * id], stored.at(joint)[0].get<double>()) << joint;
     ++locked;

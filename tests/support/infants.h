@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "document/xml.h"
 #include "growth/growth.h"
 #include "growth/parts.h"
 #include "growth/skeleton.h"
 #include "scene/anatomy.h"
 #include "scene/scene.h"
-#include "scene/xml.h"
 #include "support/scenes.h"
 
 namespace mimo::test {
@@ -22,7 +22,7 @@ inline const growth::Skeleton& infant(const std::string& body) {
   if (known != bodies.end()) return known->second;
   scene::Scene scene(named("benchmark"));
   scene.add_body(body, "", nullptr);
-  const pugi::xml_document document = scene::parse(scene.xml(), body, scene::Root::kMujoco);
+  const pugi::xml_document document = document::parse(scene.xml(), body, document::Root::kMujoco);
   return bodies.emplace(body, scene::Anatomy(document.document_element(), "").skeleton()).first->second;
 }
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/model.h"
 #include "env/world.h"
 #include "scene/scene.h"
@@ -32,7 +32,7 @@ inline scene::Source from_file(const std::string& path) {
   return source;
 }
 
-inline engine::ModelPtr compile(const scene::Scene& scene) { return scene::compile(scene.compose(), {}); }
+inline engine::ModelPtr compile(const scene::Scene& scene) { return document::compile(scene.compose(), {}); }
 
 // A built-in room with one infant at the room's own place.
 inline engine::ModelPtr room_with_infant(const std::string& room, const std::string& body = "mitten") {
@@ -63,11 +63,11 @@ inline engine::ModelPtr held_infant(const std::array<double, 4>& quat) {
       from_text("<mujoco><include file='mimo/parts/options.xml'/><worldbody/>"
                 "<equality><weld name='hold' body1='mimo_location' solref='.01 1' solimp='.9999 .9999 .001 .5 "
                 "1'/></equality></mujoco>"));
-  const scene::Pose pose{{0, 0, 1}, quat};
+  const document::Pose pose{{0, 0, 1}, quat};
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
   // Nobody else has the model yet.
-  std::fill_n(const_cast<mjModel*>(model.get())->*engine::compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
+  std::fill_n(const_cast<mjModel*>(model.get())->*compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
   return model;
 }
 

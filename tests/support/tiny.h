@@ -8,7 +8,7 @@
 
 #include "base/format.h"
 #include "base/status.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/physics.h"
 #include "support/numbers.h"
 

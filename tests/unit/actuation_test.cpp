@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/compat.h"
-#include "env/access.h"
+#include "access/access.h"
+#include "compat/mujoco.h"
 #include "scene/groups.h"
 #include "support/access.h"
 #include "support/block.h"
@@ -98,7 +98,7 @@ TEST(Groups, AreSwitchedOnPerAgent) {
 TEST(Recipes, HoldForEveryInfantByItsName) {
   scene::Scene scene(named("reach"));
   scene.add_body("mitten", "anna/", nullptr);
-  const scene::Pose beside{{0, 2, 0.35}, {1, 0, 0, 0}};
+  const document::Pose beside{{0, 2, 0.35}, {1, 0, 0, 0}};
   scene.add_body("mitten", "ben/", &beside);
   const engine::ModelPtr model = compile(scene);
   EXPECT_EQ(model->nu, 16);
@@ -140,7 +140,7 @@ TEST(PositionControl, StartsByHoldingTheStoredPose) {
   World world(room_with_infant("standup"), {agent}, without_renderer());
   const int lock = engine::find_lock(world.model(), joint_id(world, "robot:right_knee"));
   EXPECT_NEAR(engine::lock_angle(world.model(), lock), -2.53125, 1e-12);
-  EXPECT_EQ((world.model().*engine::compat::kLockFlags)[lock], 1);
+  EXPECT_EQ((world.model().*compat::kLockFlags)[lock], 1);
 }
 
 TEST(MappedActions, GoFromMinusOneToOneLinearly) {
@@ -164,7 +164,7 @@ TEST(MappedActions, GoFromMinusOneToOneLinearly) {
 TEST(Locks, HoldAJointAndLetItGo) {
   const auto world = floating();
   const int elbow = joint_id(*world, "robot:right_elbow");
-  set(*world, env::Quantity::kJointLock, {elbow}, {1, -1});
+  set(*world, access::Quantity::kJointLock, {elbow}, {1, -1});
   std::vector<float> actions(world->action_size());
   actions[action_index(*world, "act:right_elbow")] = 0.3f;
   run(*world, actions, 300);
@@ -172,7 +172,7 @@ TEST(Locks, HoldAJointAndLetItGo) {
   world->reset(nullptr, nullptr);
   run(*world, {}, 100);
   EXPECT_NEAR(angle(*world, "robot:right_elbow"), -1, 0.02) << "locks outlive resets";
-  set(*world, env::Quantity::kJointLock, {elbow}, Values{0, 0});
+  set(*world, access::Quantity::kJointLock, {elbow}, Values{0, 0});
   run(*world, actions, 100);
   EXPECT_GT(angle(*world, "robot:right_elbow"), -0.1);
 }
@@ -182,7 +182,7 @@ TEST(Locks, OfTheSceneCanBeOpened) {
   const int knee = joint_id(world, "robot:right_knee");
   run(world, {}, 50);
   EXPECT_NEAR(angle(world, "robot:right_knee"), -1.85, 0.02);
-  set(world, env::Quantity::kJointLock, {knee}, Values{0, 0});
+  set(world, access::Quantity::kJointLock, {knee}, Values{0, 0});
   run(world, {}, 50);
   EXPECT_GT(std::abs(angle(world, "robot:right_knee") + 1.85), 0.03);
 }
@@ -190,22 +190,24 @@ TEST(Locks, OfTheSceneCanBeOpened) {
 TEST(Locks, AreRefusedWhereThereAreNone) {
   const auto world = floating();
   expect_error(Status::kUnsupported, "mimo_orientation", [&] {
-    set(*world, env::Quantity::kJointLock, {joint_id(*world, "mimo_orientation")}, {1, 0});
+    set(*world, access::Quantity::kJointLock, {joint_id(*world, "mimo_orientation")}, {1, 0});
   });
-  expect_error(Status::kInvalidArgument, "from 0 to 47", [&] { set(*world, env::Quantity::kJointLock, {48}, {1, 0}); });
+  expect_error(Status::kInvalidArgument, "from 0 to 47", [&] {
+    set(*world, access::Quantity::kJointLock, {48}, {1, 0});
+  });
   const int elbow = joint_id(*world, "robot:right_elbow");
   expect_error(Status::kInvalidArgument, "angle is 2", [&] {
-    set(*world, env::Quantity::kJointLock, {elbow}, {1, 2});
+    set(*world, access::Quantity::kJointLock, {elbow}, {1, 2});
   });
   expect_error(Status::kInvalidArgument, "values[1] is nan", [&] {
-    set(*world, env::Quantity::kJointLock, {elbow}, {1, std::nan("")});
+    set(*world, access::Quantity::kJointLock, {elbow}, {1, std::nan("")});
   });
   const auto positioned = floating(kPosition);
   expect_error(Status::kUnsupported, "under position control", [&] {
-    set(*positioned, env::Quantity::kJointLock, {elbow}, {1, 0});
+    set(*positioned, access::Quantity::kJointLock, {elbow}, {1, 0});
   });
   expect_error(Status::kUnsupported, "under position control", [&] {
-    set(*positioned, env::Quantity::kJointLock, {elbow}, Values{0, 0});
+    set(*positioned, access::Quantity::kJointLock, {elbow}, Values{0, 0});
   });
 }
 
@@ -213,14 +215,14 @@ TEST(Locks, AreRefusedWhereThereAreNone) {
 TEST(Overrides, StayInTheirWorld) {
   const auto changed = floating(), one = floating(), two = floating();
   const int elbow = joint_id(*changed, "robot:right_elbow");
-  set(*changed, env::Quantity::kJointLock, {elbow}, {1, -1});
+  set(*changed, access::Quantity::kJointLock, {elbow}, {1, -1});
   const std::int32_t motor = engine::find_or_fail(changed->model(), Kind::kActuator, "act:left_elbow");
   const double gear = 7.5;
-  set(*changed, env::Quantity::kActuatorGear, {motor}, {gear});
+  set(*changed, access::Quantity::kActuatorGear, {motor}, {gear});
   changed->physics().set_gravity({0, 0, -1});
-  EXPECT_EQ(get(*changed, env::Quantity::kActuatorGear, {motor}), Values{gear});
-  EXPECT_EQ(get(*one, env::Quantity::kActuatorGear, {motor}), Values{3.6});
-  EXPECT_EQ(((*free_room()).*engine::compat::kLockFlags)[engine::find_lock(*free_room(), elbow)], 0);
+  EXPECT_EQ(get(*changed, access::Quantity::kActuatorGear, {motor}), Values{gear});
+  EXPECT_EQ(get(*one, access::Quantity::kActuatorGear, {motor}), Values{3.6});
+  EXPECT_EQ(((*free_room()).*compat::kLockFlags)[engine::find_lock(*free_room(), elbow)], 0);
   const std::vector<float> actions(changed->action_size(), 0.2f);
   run(*changed, actions, 20);
   run(*one, actions, 20);
@@ -233,7 +235,7 @@ TEST(Overrides, StayInTheirWorld) {
 TEST(Overrides, ShareWhatTheyDoNotChange) {
   const auto world = floating();
   EXPECT_EQ(world->model().eq_data, free_room()->eq_data);
-  set(*world, env::Quantity::kJointLock, {joint_id(*world, "robot:right_elbow")}, {1, -1});
+  set(*world, access::Quantity::kJointLock, {joint_id(*world, "robot:right_elbow")}, {1, -1});
   EXPECT_NE(world->model().eq_data, free_room()->eq_data);
   EXPECT_EQ(world->model().actuator_gear, free_room()->actuator_gear);
   EXPECT_EQ(world->model().body_mass, free_room()->body_mass);

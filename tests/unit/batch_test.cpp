@@ -8,7 +8,7 @@
 #include <numeric>
 #include <thread>
 
-#include "batch/workplace.h"
+#include "batch/current_thread.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -318,7 +318,7 @@ class Ending : public tasks::Task {
 
 TEST(Batch, AnAgentThatIsCutOffByAnothersEndIsTruncated) {
   scene::Scene scene(named("free"));
-  const scene::Pose left{{0, 2, 1}, {1, 0, 0, 0}}, right{{0, -2, 1}, {1, 0, 0, 0}};
+  const document::Pose left{{0, 2, 1}, {1, 0, 0, 0}}, right{{0, -2, 1}, {1, 0, 0, 0}};
   scene.add_body("mitten", "anna/", &left);
   scene.add_body("mitten", "ben/", &right);
   std::vector<env::AgentOptions> agents(2, blind());
@@ -365,12 +365,12 @@ TEST(Batch, NamedAccessStacksTheWorlds) {
   Rig rig(floating_model(), sized(3, 2));
   for (int n = 0; n < 5; ++n) rig.step(n);
   const std::vector<std::int32_t> ids = {4, 1};
-  const env::Ids which{Span<const std::int32_t>(ids)};
-  const auto quantity = env::Quantity::kJointPosition;
+  const access::Ids which{Span<const std::int32_t>(ids)};
+  const auto quantity = access::Quantity::kJointPosition;
   std::vector<double> values(6), own(2);
   rig.batch.get(quantity, which, false, nullptr, values.data());
   for (std::size_t i = 0; i < 3; ++i) {
-    env::get(rig.batch.world(i), quantity, which, false, Span<double>(own));
+    access::get(rig.batch.world(i), quantity, which, false, Span<double>(own));
     EXPECT_EQ(own[0], values[2 * i]);
     EXPECT_EQ(own[1], values[2 * i + 1]);
   }
@@ -481,7 +481,7 @@ TEST(Batch, MessagesArriveOnTheCallingThread) {
   bool elsewhere = false;
   const LogSink log([&](const LogRecord& record) {
     heard.push_back(record);
-    elsewhere = elsewhere || batch::workplace().batch != nullptr;
+    elsewhere = elsewhere || batch::current_thread().batch != nullptr;
   });
   Rig rig(floating_model(), sized(4, 3), {}, log);
   for (std::size_t i : {1, 2}) rig.batch.world(i).physics().data().warning[mjWARN_CONTACTFULL].number = 1;

@@ -1,8 +1,8 @@
 // How a world tells that something else than a step has changed it: by a number that a recorder compares.
 #include <gtest/gtest.h>
 
-#include "env/access.h"
-#include "env/looking.h"
+#include "access/access.h"
+#include "env/gaze.h"
 #include "env/state.h"
 #include "support/worlds.h"
 
@@ -18,10 +18,10 @@ void expect_told(env::World& world, const char* what, Deed&& deed) {
   EXPECT_EQ(world.changes() != changes, saved(world) != before) << what;
 }
 
-void set(env::World& world, env::Quantity quantity, int id, std::initializer_list<double> values) {
+void set(env::World& world, access::Quantity quantity, int id, std::initializer_list<double> values) {
   const std::vector<double> all(values);
   const std::int32_t ids[] = {id};
-  env::set(world, quantity, env::Ids(Span<const std::int32_t>(ids, 1)), Span<const double>(all));
+  access::set(world, quantity, access::Ids(Span<const std::int32_t>(ids, 1)), Span<const double>(all));
 }
 
 TEST(Changes, AreToldOfAllThatStatesHold) {
@@ -30,10 +30,10 @@ TEST(Changes, AreToldOfAllThatStatesHold) {
   const Bytes before = saved(*world);
   const std::uint64_t seed = 5;
   const std::vector<double> still(world->data().qpos, world->data().qpos + world->model().nq);
-  expect_told(*world, "joint", [&] { set(*world, env::Quantity::kJointPosition, 3, {0.1}); });
-  expect_told(*world, "gravity", [&] { set(*world, env::Quantity::kWorldGravity, 0, {0, 0, -1}); });
-  expect_told(*world, "colour", [&] { set(*world, env::Quantity::kGeomColor, 0, {1, 0, 0, 1}); });
-  expect_told(*world, "face", [&] { set(*world, env::Quantity::kAgentFace, 0, {1}); });
+  expect_told(*world, "joint", [&] { set(*world, access::Quantity::kJointPosition, 3, {0.1}); });
+  expect_told(*world, "gravity", [&] { set(*world, access::Quantity::kWorldGravity, 0, {0, 0, -1}); });
+  expect_told(*world, "colour", [&] { set(*world, access::Quantity::kGeomColor, 0, {1, 0, 0, 1}); });
+  expect_told(*world, "face", [&] { set(*world, access::Quantity::kAgentFace, 0, {1}); });
   expect_told(*world, "look", [&] { env::look_at(*world, 0, {1, 0.2, 0.5}, true); });
   expect_told(*world, "physics", [&] { world->step_physics(2); });
   expect_told(*world, "random", [&] { world->random().next(); });
@@ -54,7 +54,7 @@ TEST(Changes, AreNotToldOfWhatOnlyLooks) {
   env::look(*world, 0, {1, 0.2, 0.5}, true);
   saved(*world);
   step(*world, 2);
-  EXPECT_THROW(set(*world, env::Quantity::kJointPosition, 3, {std::numeric_limits<double>::infinity()}), Error);
+  EXPECT_THROW(set(*world, access::Quantity::kJointPosition, 3, {std::numeric_limits<double>::infinity()}), Error);
   EXPECT_EQ(world->changes(), changes);
 }
 

@@ -147,7 +147,7 @@ TEST(EnvLayout, NoSensesAtAll) {
 // Each of several agents has its own fields and its own slice of the actions.
 TEST(EnvLayout, SeveralAgents) {
   scene::Scene scene(named("free"));
-  const scene::Pose left{{0, 1, 0.4}, {1, 0, 0, 0}}, right{{0, -1, 0.4}, {1, 0, 0, 0}};
+  const document::Pose left{{0, 1, 0.4}, {1, 0, 0, 0}}, right{{0, -1, 0.4}, {1, 0, 0, 0}};
   scene.add_body("mitten", "anna/", &left);
   scene.add_body("mitten", "ben/", &right);
   env::AgentOptions anna = blind(), ben = blind();

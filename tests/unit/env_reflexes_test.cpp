@@ -33,7 +33,7 @@ engine::ModelPtr hanging(const std::string& body, double months, const std::stri
       "</body></worldbody>"
       "<equality><weld name='hold' body1='mimo_location' active='true' solref='.01 1' solimp='.9999 .9999 "
       ".001 .5 1'/></equality></mujoco>"));
-  const scene::Pose pose{{0, 0, 1}, {1, 0, 0, 0}};
+  const document::Pose pose{{0, 0, 1}, {1, 0, 0, 0}};
   scene.add_body(body, "", &pose);
   scene.grow("", aged(months));
   return compile(scene);

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/hash.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "env/state.h"
 #include "support/worlds.h"
 
@@ -327,7 +327,7 @@ TEST(State, HoldsPositionControlLocksGearsAndGravity) {
   locked->physics().hold(lock, 0.1);
   expect_to_continue(*locked, *plain);
   EXPECT_EQ(engine::lock_angle(plain->model(), lock), engine::lock_angle(locked->model(), lock));
-  EXPECT_EQ(((*benchmark_model()).*engine::compat::kLockFlags)[lock], 0);  // what all worlds share stays as it was
+  EXPECT_EQ(((*benchmark_model()).*compat::kLockFlags)[lock], 0);  // what all worlds share stays as it was
 }
 
 std::unique_ptr<env::World> late_world(double force, double velocity) {

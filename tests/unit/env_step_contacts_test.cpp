@@ -8,8 +8,8 @@
 namespace mimo::test {
 namespace {
 
-using env::Kind;
-using env::Quantity;
+using access::Kind;
+using access::Quantity;
 
 constexpr double kStep = 0.001, kMass = 0.3, kGravity = 9.81;
 constexpr int kSkip = 100;  // physics steps in an environment step
@@ -32,7 +32,7 @@ TEST(StepContacts, ImpulseIsTheChangeOfMomentum) {
     const Values before = get(world, Quantity::kJointVelocity, {0});
     world.step({}, nullptr, {});
     const Values after = get(world, Quantity::kJointVelocity, {0});
-    const int pairs = env::count(world, Kind::kStepContact);
+    const int pairs = access::count(world, Kind::kStepContact);
     ASSERT_LE(pairs, 1);
     const double impulse = pairs == 0 ? 0 : get(world, Quantity::kStepContactImpulse)[2];
     const double gravity = -kMass * kGravity * kSkip * kStep;
@@ -46,7 +46,7 @@ TEST(StepContacts, ImpulseIsTheChangeOfMomentum) {
     EXPECT_EQ(get(world, Quantity::kStepContactBodies), (Values{0, 1}));
     EXPECT_NEAR(get(world, Quantity::kStepContactPeakPosition)[2], 0, 0.02);
     EXPECT_GT(get(world, Quantity::kStepContactPeakForce)[2], impulse / (end - start)) << "more than on average";
-    bounced = bounced || (before[2] < -0.5 && after[2] > 0 && env::count(world, Kind::kContact) == 0);
+    bounced = bounced || (before[2] < -0.5 && after[2] > 0 && access::count(world, Kind::kContact) == 0);
   }
   EXPECT_TRUE(bounced) << "a contact that began and ended between two looks at the world";
 }
@@ -60,13 +60,13 @@ TEST(StepContacts, NeitherChangeAnythingNorOutliveAReset) {
   }
   recorded.step_physics(400);
   const Bytes state = saved(recorded);
-  ASSERT_GT(env::count(recorded, Kind::kStepContact), 0);
+  ASSERT_GT(access::count(recorded, Kind::kStepContact), 0);
   load(recorded, state);
-  EXPECT_EQ(env::count(recorded, Kind::kStepContact), 0);
+  EXPECT_EQ(access::count(recorded, Kind::kStepContact), 0);
   recorded.step_physics(400);
   recorded.reset(nullptr, nullptr);
-  EXPECT_EQ(env::count(recorded, Kind::kStepContact), 0);
-  expect_error(Status::kUnsupported, "set step_contacts", [&] { env::count(plain, Kind::kStepContact); });
+  EXPECT_EQ(access::count(recorded, Kind::kStepContact), 0);
+  expect_error(Status::kUnsupported, "set step_contacts", [&] { access::count(plain, Kind::kStepContact); });
 }
 
 // ---- Warnings -------------------------------------------------------------------------------------------------------

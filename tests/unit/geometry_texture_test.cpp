@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "geometry/geoms.h"
 #include "geometry/texture.h"
 #include "render/projection.h"
@@ -24,7 +24,7 @@ void paint(mjModel& model) {
   for (int texture = 0; texture < model.ntex; ++texture) {
     for (int y = 0; y < model.tex_height[texture]; ++y) {
       for (int x = 0; x < kTexels; ++x) {
-        mjtByte* texel = model.*engine::compat::kPixels + model.tex_adr[texture] + 3 * (y * kTexels + x);
+        mjtByte* texel = model.*compat::kPixels + model.tex_adr[texture] + 3 * (y * kTexels + x);
         texel[0] = static_cast<mjtByte>(4 * x);
         texel[1] = static_cast<mjtByte>(4 * (y % kTexels));
         texel[2] = static_cast<mjtByte>(50 * (y / kTexels));

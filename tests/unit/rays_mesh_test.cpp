@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/format.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "unit/rays/agreement.h"
 #include "unit/rays/support.h"
 

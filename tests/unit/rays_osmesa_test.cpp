@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <random>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/scenes.h"
 #include "unit/rays/agreement.h"
 #include "unit/rays/support.h"

@@ -48,7 +48,7 @@ std::string face_of(const env::World& world, std::size_t agent = 0) {
 }
 
 void show(env::World& world, const char* face, std::int32_t agent = 0) {
-  set(world, env::Quantity::kAgentFace, {agent}, {static_cast<double>(id_of(world, env::Kind::kFace, face))});
+  set(world, access::Quantity::kAgentFace, {agent}, {static_cast<double>(id_of(world, access::Kind::kFace, face))});
 }
 
 // Sum of the differences of all colours, 0 to 255 each.
@@ -135,7 +135,7 @@ TEST(Faces, ArePartOfTheState) {
 
 TEST(Faces, EachAgentHasItsOwn) {
   scene::Scene scene(named("free"));
-  const scene::Pose here{{0, 0, 0.4}, {1, 0, 0, 0}}, there{{0, 1, 0.4}, {1, 0, 0, 0}};
+  const document::Pose here{{0, 0, 0.4}, {1, 0, 0, 0}}, there{{0, 1, 0.4}, {1, 0, 0, 0}};
   scene.add_body("mitten", "anna/", &here);
   scene.add_body("mitten", "ben/", &there);
   env::AgentOptions anna = blind(), ben = blind();

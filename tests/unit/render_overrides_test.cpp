@@ -12,8 +12,8 @@
 namespace mimo::test {
 namespace {
 
-using env::Kind;
-using env::Quantity;
+using access::Kind;
+using access::Quantity;
 
 constexpr int kPixels = 64;
 

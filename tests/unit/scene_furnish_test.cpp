@@ -6,7 +6,7 @@
 #include <string>
 
 #include "body/stored_pose.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/physics.h"
 #include "support/files.h"
 #include "support/physical.h"
@@ -233,7 +233,7 @@ TEST_F(SceneFurnish, WeldedInAPose) {
       "<mujoco><option gravity='0 0 0' timestep='.005'/><worldbody><body name='a' pos='1 0 0' quat='1 0 0 1'><geom "
       "size='.1'/></body><body name='b' pos='1 1.1 0'><freejoint/><geom size='.1' mass='1'/></body></worldbody>"
       "</mujoco>";
-  const scene::Pose pose{{1, 0, 0.5}, {2, 2, 0, 0}};
+  const document::Pose pose{{1, 0, 0.5}, {2, 2, 0, 0}};
   for (const char* other : {"a", "world"}) {
     scene::Scene scene(from_text(document));
     scene.weld({"b", other}, &pose);
@@ -252,8 +252,8 @@ TEST_F(SceneFurnish, WeldedInAPose) {
 TEST_F(SceneFurnish, WeldsNeedBodies) {
   scene::Scene scene(from_text("<mujoco><worldbody><body name='a'/><body name='b'/></worldbody></mujoco>"));
   const std::string before = scene.xml();
-  const scene::Pose pose;
-  for (const scene::Pose* given : {static_cast<const scene::Pose*>(nullptr), &pose}) {
+  const document::Pose pose;
+  for (const document::Pose* given : {static_cast<const document::Pose*>(nullptr), &pose}) {
     expect_error(Status::kNotFound, "\"c\"; there are: a, b", [&] { scene.weld({"c", "a"}, given); });
     expect_error(Status::kNotFound, "\"d\"; there are: a, b", [&] { scene.weld({"a", "d"}, given); });
     expect_error(Status::kInvalidArgument, "\"a\"", [&] { scene.weld({"a", "a"}, given); });
@@ -266,12 +266,12 @@ TEST_F(SceneFurnish, MainDefaultsDoNotReachWeldsAndLocks) {
   scene::Scene scene(
       from_text("<mujoco><default><equality active='false' solref='1 1' solimp='.1 .2 .3'/></default><worldbody>"
                 "<body name='a'><joint name='j'/><geom size='1'/></body></worldbody></mujoco>"));
-  const scene::Pose pose;
+  const document::Pose pose;
   scene.weld({"a", "world"}, &pose);
   scene.lock_joint("j", 1);
   const engine::ModelPtr model = compile(scene);
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(((*model).*engine::compat::kLockFlags)[i], 1);
+    EXPECT_EQ(((*model).*compat::kLockFlags)[i], 1);
     EXPECT_EQ(model->eq_solref[2 * i], 0.02);
     EXPECT_EQ(model->eq_solimp[5 * i], 0.9);
   }
@@ -299,7 +299,7 @@ TEST_F(SceneFurnish, AFileWithSettingsOfItsOwn) {
                    "type='plane' size='0 0 1'/><body name='box' pos='2 0 .5'><joint name='j'/><geom type='box' "
                    "size='.1 .1 .1'/></body></worldbody><keyframe><key qpos='1'/></keyframe></mujoco>");
   scene::Scene scene(from_file(file));
-  const scene::Pose left{{0, 1, 0.4}, {1, 0, 0, 0}}, right{{0, -1, 0.4}, {1, 0, 0, 0}};
+  const document::Pose left{{0, 1, 0.4}, {1, 0, 0, 0}}, right{{0, -1, 0.4}, {1, 0, 0, 0}};
   scene.add_body("mitten", "anna/", &left);
   scene.add_body("mitten", "ben/", &right);
   const engine::ModelPtr model = compile(scene), sole = room_with_infant("free");
@@ -316,7 +316,7 @@ TEST_F(SceneFurnish, AFileWithSettingsOfItsOwn) {
 // The infant that a file brings along and one that is added share what they are made of.
 TEST_F(SceneFurnish, AFileWithAnInfantGetsAnother) {
   scene::Scene scene(from_text("<mujoco><include file='mimo/mitten.xml'/></mujoco>"));
-  const scene::Pose place{{0, 1, 0.4}, {1, 0, 0, 0}};
+  const document::Pose place{{0, 1, 0.4}, {1, 0, 0, 0}};
   scene.add_body("mitten", "ben/", &place);
   const engine::ModelPtr model = compile(scene), sole = room_with_infant("free");
   EXPECT_EQ(model->nu, 2 * sole->nu);

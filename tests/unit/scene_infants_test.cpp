@@ -7,7 +7,7 @@
 #include <string>
 
 #include "body/body.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/physical.h"
 #include "support/quiet.h"
 #include "support/scenes.h"
@@ -19,10 +19,10 @@ namespace {
 using engine::Kind;
 using SceneInfants = QuietTest;
 
-const scene::Pose kLeft{{0, 1, 0.4}, {1, 0, 0, 0}};
-const scene::Pose kRight{{0, -1, 0.4}, {0.5, 0.5, 0.5, 0.5}};
+const document::Pose kLeft{{0, 1, 0.4}, {1, 0, 0, 0}};
+const document::Pose kRight{{0, -1, 0.4}, {0.5, 0.5, 0.5, 0.5}};
 
-const scene::Pose kFar{{3, 0, 0.4}, {1, 0, 0, 0}};
+const document::Pose kFar{{3, 0, 0.4}, {1, 0, 0, 0}};
 
 engine::ModelPtr anna_and_ben() {
   scene::Scene scene(named("free"));
@@ -85,7 +85,7 @@ TEST_F(SceneInfants, BuffersAreLargeEnough) {
   for (const int count : {1, 2, 10}) {
     scene::Scene scene(named("free"));
     for (int i = 0; i < count; ++i) {
-      const scene::Pose place{{0.15 * (i % 2), 0.3 * (i / 2), 0.4}, {1, 0, 0, 0}};
+      const document::Pose place{{0.15 * (i % 2), 0.3 * (i / 2), 0.4}, {1, 0, 0, 0}};
       scene.add_body("mitten", std::to_string(i) + "/", &place);
     }
     engine::Physics physics(compile(scene), {});

@@ -121,7 +121,7 @@ std::vector<std::string> warnings(scene::Scene& scene) {
 
 TEST_F(ScenePlaces, AGivenPlaceThatIsTakenIsToldOf) {
   const std::string floor = world("<geom name='floor' type='plane' size='5 5 1'/>");
-  const scene::Pose inside{{0, 0, 0.3}, {1, 0, 0, 0}}, above{{0, 0, 0.34}, {1, 0, 0, 0}};
+  const document::Pose inside{{0, 0, 0.3}, {1, 0, 0, 0}}, above{{0, 0, 0.34}, {1, 0, 0, 0}};
   scene::Scene scene(from_text(floor));
   scene.add_body("mitten", "anna/", &inside);
   const std::vector<std::string> told = warnings(scene);

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "base/format.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
@@ -127,7 +127,7 @@ TEST(TouchInfant, UnknownBodiesAreRefusedWithThoseThatAreThere) {
 // An infant held in the air with its right palm level, and a ball at a place above it that does not roll away.
 engine::ModelPtr held_with_ball(const Vec3& place, double radius, double mass) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(-80 * 3.14159265358979323846 / 180, Vec3::UnitX()));
-  const scene::Pose pose{{0, 0, 1}, {turn.w(), turn.x(), turn.y(), turn.z()}};
+  const document::Pose pose{{0, 0, 1}, {turn.w(), turn.x(), turn.y(), turn.z()}};
   scene::Scene scene(from_text(
       format("<mujoco><include file='mimo/parts/options.xml'/><worldbody><body pos='{} {} {}'><freejoint/>"
              "<geom size='{}' mass='{}' condim='6' friction='1 0.01 0.01' solref='0.005 1'/></body></worldbody>"
@@ -136,7 +136,7 @@ engine::ModelPtr held_with_ball(const Vec3& place, double radius, double mass) {
              place.x(), place.y(), place.z(), radius, mass)));
   scene.add_body("mitten", "", &pose);
   engine::ModelPtr model = compile(scene);
-  std::fill_n(const_cast<mjModel*>(model.get())->*engine::compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
+  std::fill_n(const_cast<mjModel*>(model.get())->*compat::kLockFlags, model->neq, static_cast<mjtByte>(1));
   return model;
 }
 
@@ -162,7 +162,7 @@ TEST(TouchInfant, ABallAtRestOnThePalmIsFeltAsItsWeight) {
 TEST(TouchInfant, TwoInfantsFeelEachOther) {
   scene::Scene scene(
       from_text("<mujoco><include file='mimo/parts/options.xml'/><option gravity='0 0 0'/><worldbody/></mujoco>"));
-  const scene::Pose here{{0, 0, 1}, {1, 0, 0, 0}}, there{{0.09, 0, 1}, {1, 0, 0, 0}};
+  const document::Pose here{{0, 0, 1}, {1, 0, 0, 0}}, there{{0.09, 0, 1}, {1, 0, 0, 0}};
   scene.add_body("mitten", "anna/", &here);
   scene.add_body("mitten", "ben/", &there);
   env::AgentOptions anna = blind(), ben = blind();

@@ -26,7 +26,7 @@ env::AgentOptions speaker(const std::string& name = "") {
 // Two infants in free air, one `distance` m ahead of the other, which looks along x.
 engine::ModelPtr two_infants(double distance) {
   scene::Scene scene(from_text("<mujoco><include file='mimo/parts/options.xml'/><worldbody/></mujoco>"));
-  const scene::Pose here{{0, 0, 1}, {1, 0, 0, 0}}, there{{distance, 0, 1}, {0, 0, 0, 1}};
+  const document::Pose here{{0, 0, 1}, {1, 0, 0, 0}}, there{{distance, 0, 1}, {0, 0, 0, 1}};
   scene.add_body("mitten", "anna/", &here);
   scene.add_body("mitten", "bo/", &there);
   return compile(scene);

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/format.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"

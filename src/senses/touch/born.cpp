@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/names.h"
 #include "engine/custom.h"
-#include "format/names.h"
 #include "senses/touch/surface.h"
 
 namespace mimo::senses::touch {

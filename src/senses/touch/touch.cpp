@@ -5,8 +5,8 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/names.h"
 #include "engine/custom.h"
-#include "format/names.h"
 #include "senses/touch/spacing.h"
 
 namespace mimo::senses {

@@ -1,7 +1,7 @@
 // Kits of all ages, each compiled once.
 #include "blueprint/worlds_by_age.h"
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "unit/blueprint/fixture.h"
 
 namespace mimo::test {
@@ -52,8 +52,8 @@ TEST(WorldsByAge, HoldsTexturesOnce) {
   const std::weak_ptr<const env::CompiledWorld> first = worlds.as_described({}, {});
   const env::CompiledWorldPtr young = worlds.as_described({aged(6)}, {}), old = worlds.as_described({aged(24)}, {});
   EXPECT_GT(young->model->ntexdata, 1000000);
-  EXPECT_EQ((*young->model).*engine::compat::kPixels, (*old->model).*engine::compat::kPixels);
-  EXPECT_EQ((*young->model).*engine::compat::kPixels, (*first.lock()->model).*engine::compat::kPixels);
+  EXPECT_EQ((*young->model).*compat::kPixels, (*old->model).*compat::kPixels);
+  EXPECT_EQ((*young->model).*compat::kPixels, (*first.lock()->model).*compat::kPixels);
   EXPECT_EQ(young->services.textures, old->services.textures);
 }
 

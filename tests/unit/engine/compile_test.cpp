@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/fail.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/model.h"
 
 namespace mimo::test {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
 

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
 

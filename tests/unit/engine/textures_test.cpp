@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/fingerprint.h"
 
 namespace mimo::test {
@@ -27,11 +27,11 @@ TEST(Textures, OfTheSamePicturesAreShared) {
   const ModelPtr owner = painted("1", "1 0 0"), model = painted("2", "1 0 0");
   const ModelPtr slim = engine::with_textures_of(owner, model);
   ASSERT_NE(slim, model);
-  EXPECT_EQ((*slim).*engine::compat::kPixels, (*owner).*engine::compat::kPixels);
+  EXPECT_EQ((*slim).*compat::kPixels, (*owner).*compat::kPixels);
   EXPECT_EQ(slim->ntexdata, 3 * 16 * 17);
   EXPECT_EQ(engine::fingerprint(*slim), engine::fingerprint(*model));
   EXPECT_EQ(slim->geom_size[0], 2);
-  EXPECT_EQ(engine::compat::color_texture(*slim, 0), 0);
+  EXPECT_EQ(compat::color_texture(*slim, 0), 0);
   EXPECT_STREQ(mj_id2name(slim.get(), mjOBJ_MATERIAL, 0), "m");
 }
 
@@ -39,15 +39,15 @@ TEST(Textures, LiveAsLongAsAModelUsesThem) {
   ModelPtr owner = painted("1", "1 0 0");
   const ModelPtr slim = engine::with_textures_of(owner, painted("2", "1 0 0"));
   owner.reset();
-  EXPECT_EQ(((*slim).*engine::compat::kPixels)[0], 255);
-  EXPECT_EQ(((*slim).*engine::compat::kPixels)[3 * 16 * 17 - 1], 0);
+  EXPECT_EQ(((*slim).*compat::kPixels)[0], 255);
+  EXPECT_EQ(((*slim).*compat::kPixels)[3 * 16 * 17 - 1], 0);
 }
 
 TEST(Textures, AreCopiedWithTheModel) {
   const ModelPtr slim = engine::with_textures_of(painted("1", "1 0 0"), painted("2", "1 0 0"));
   mjModel* copy = mj_copyModel(nullptr, slim.get());
-  EXPECT_NE((*copy).*engine::compat::kPixels, (*slim).*engine::compat::kPixels);
-  EXPECT_EQ(((*copy).*engine::compat::kPixels)[0], 255);
+  EXPECT_NE((*copy).*compat::kPixels, (*slim).*compat::kPixels);
+  EXPECT_EQ(((*copy).*compat::kPixels)[0], 255);
   mj_deleteModel(copy);
 }
 

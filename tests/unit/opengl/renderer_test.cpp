@@ -20,7 +20,7 @@
 #include <set>
 #include <thread>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "engine/guard.h"
 #include "opengl/osmesa.h"
 #include "unit/opengl/fixture.h"

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "base/status.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {

@@ -1,7 +1,7 @@
 // Textures of the ray renderer: which texel goes where, and how small ones blur.
 #include <algorithm>
 
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {
@@ -18,7 +18,7 @@ void fill(mjModel& model, int texture, Color&& color) {
     for (int x = 0; x < width; ++x) {
       const std::array<int, 3> c = color(y / width, x, y % width);
       for (int k = 0; k < 3; ++k) {
-        (model.*engine::compat::kPixels)[model.tex_adr[texture] + 3 * (y * width + x) + k] = static_cast<mjtByte>(c[k]);
+        (model.*compat::kPixels)[model.tex_adr[texture] + 3 * (y * width + x) + k] = static_cast<mjtByte>(c[k]);
       }
     }
   }

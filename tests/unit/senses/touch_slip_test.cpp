@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/format.h"
-#include "engine/compat.h"
+#include "compat/mujoco.h"
 #include "touch_feeler.h"
 
 namespace mimo::senses::touch {

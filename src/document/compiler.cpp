@@ -1,0 +1,160 @@
+#include "document/compiler.h"
+
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "base/angle.h"
+#include "base/fail.h"
+#include "document/defaults.h"
+#include "document/pose.h"
+#include "document/xml.h"
+
+namespace mimo::document {
+namespace {
+
+constexpr std::array<const char*, 3> kJointAngles = {"range", "ref", "springref"};
+
+bool in_defaults(pugi::xml_node node) { return is(node.parent(), "default"); }
+
+void scale(pugi::xml_node node, const char* name, double factor, std::size_t first = 0) {
+  const pugi::xml_attribute attribute = node.attribute(name);
+  if (attribute.empty()) return;
+  std::vector<double> values = numbers(attribute);
+  for (std::size_t i = first; i < values.size(); ++i) values[i] *= factor;
+  set(node, name, Span<const double>(values));
+}
+
+bool slides(pugi::xml_attribute type) { return std::string(type.value()) == "slide"; }
+
+// Angles are converted where they stand, in classes, too. What a slide gets from a class is no angle, and what others
+// get from the class of a slide is not converted there: both get it spelt out.
+void part_from_slides(pugi::xml_node root) {
+  const Defaults defaults(root);
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    walk(world, [&](pugi::xml_node node) {
+      if (!is(node, "joint")) return;
+      const bool slide = slides(defaults.find(node, "type"));
+      for (const char* name : kJointAngles) {
+        const pugi::xml_node giver = defaults.giver(node, name);
+        if (giver && (slide || slides(giver.attribute("type")))) set(node, name, giver.attribute(name).value());
+      }
+      if (slide) set(node, "type", "slide");
+    });
+  }
+}
+
+void convert_angles(pugi::xml_node root, double factor) {
+  part_from_slides(root);
+  walk(root, [&](pugi::xml_node node) {
+    if (is(node, "joint") && !slides(node.attribute("type"))) {
+      for (const char* name : kJointAngles) scale(node, name, factor);
+    }
+    scale(node, "euler", factor);
+    scale(node, "axisangle", factor, 3);
+  });
+}
+
+// Small letters turn about the axes as they have turned already, capitals about those of the parent.
+Quaternion from_euler(const std::vector<double>& angles, const std::string& order, double unit) {
+  Quaternion whole{1, 0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t axis = static_cast<std::size_t>(std::tolower(static_cast<unsigned char>(order[i])) - 'x');
+    if (axis > 2) fail(Status::kModel, "eulerseq is \"{}\", expected three of x, y, z, X, Y, Z", order);
+    Quaternion turn{std::cos(angles[i] * unit / 2), 0, 0, 0};
+    turn[axis + 1] = std::sin(angles[i] * unit / 2);
+    whole = order[i] >= 'a' ? product(whole, turn) : product(turn, whole);
+  }
+  return whole;
+}
+
+std::string euler_order(pugi::xml_node root) {
+  const std::string order = compiler_setting(root, "eulerseq");
+  return order.empty() ? "xyz" : order;
+}
+
+void replace_euler(pugi::xml_node root, const std::string& what) {
+  const std::string order = euler_order(root);
+  if (order.size() != 3) fail(Status::kModel, "eulerseq is \"{}\", expected three of x, y, z, X, Y, Z", order);
+  const double unit = in_radians(root) ? 1 : kDegree;
+  walk(root, [&](pugi::xml_node node) {
+    const pugi::xml_attribute euler = node.attribute("euler");
+    if (euler.empty()) return;
+    if (in_defaults(node)) {
+      fail(Status::kUnsupported, "{}: it has euler=\"{}\" in a default class and another eulerseq than the scene", what,
+           euler.value());
+    }
+    const std::vector<double> angles = numbers(euler);
+    if (angles.size() != 3) fail(Status::kModel, "euler=\"{}\": expected three numbers", euler.value());
+    set(node, "quat", Span<const double>(from_euler(angles, order, unit)));
+    node.remove_attribute("euler");
+  });
+}
+
+struct Limit {
+  const char* flag;
+  const char* range;
+};
+
+void spell_out(pugi::xml_node element, const Defaults& defaults, std::initializer_list<Limit> limits) {
+  for (const Limit& limit : limits) {
+    if (defaults.find(element, limit.range) && !defaults.find(element, limit.flag)) set(element, limit.flag, "true");
+  }
+}
+
+void spell_out_limits(pugi::xml_node root) {
+  const Defaults defaults(root);
+  for (const pugi::xml_node world : root.children("worldbody")) {
+    walk(world, [&](pugi::xml_node node) {
+      if (is(node, "joint")) spell_out(node, defaults, {{"limited", "range"}});
+    });
+  }
+  for (const pugi::xml_node section : root.children("tendon")) {
+    for (const pugi::xml_node tendon : section.children()) spell_out(tendon, defaults, {{"limited", "range"}});
+  }
+  for (const pugi::xml_node section : root.children("actuator")) {
+    for (const pugi::xml_node actuator : section.children()) {
+      spell_out(actuator, defaults,
+                {{"ctrllimited", "ctrlrange"}, {"forcelimited", "forcerange"}, {"actlimited", "actrange"}});
+    }
+  }
+}
+
+bool has_composite(pugi::xml_node root) {
+  return !root.find_node([](pugi::xml_node node) { return is(node, "composite"); }).empty();
+}
+
+}  // namespace
+
+std::string compiler_setting(pugi::xml_node root, const char* attribute) {
+  std::string value;
+  for (pugi::xml_node compiler : root.children("compiler")) {
+    if (compiler.attribute(attribute)) value = compiler.attribute(attribute).value();
+  }
+  return value;
+}
+
+bool infers_limits(pugi::xml_node root) { return compiler_setting(root, "autolimits") != "false"; }
+
+bool in_radians(pugi::xml_node root) { return compiler_setting(root, "angle") == "radian"; }
+
+void convert_to_radians(pugi::xml_node root) { convert_angles(root, kDegree); }
+
+void require_local_coordinates(pugi::xml_node root, const std::string& what) {
+  if (compiler_setting(root, "coordinate") == "global") {
+    fail(Status::kUnsupported, "{} has compiler coordinate=\"global\", expected local coordinates", what);
+  }
+}
+
+void adapt(pugi::xml_node guest, pugi::xml_node host, const std::string& what) {
+  require_local_coordinates(guest, what);
+  const bool other_unit = in_radians(guest) != in_radians(host);
+  if (other_unit && has_composite(guest)) {
+    fail(Status::kUnsupported, "{} has a composite and another angle unit than the scene", what);
+  }
+  if (euler_order(guest) != euler_order(host)) replace_euler(guest, what);
+  if (other_unit) convert_angles(guest, in_radians(host) ? kDegree : 1 / kDegree);
+  if (infers_limits(guest) && !infers_limits(host)) spell_out_limits(guest);
+}
+
+}  // namespace mimo::document

@@ -1,0 +1,138 @@
+#include "document/composition.h"
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+#include "base/format.h"
+#include "base/status.h"
+#include "document/binary.h"
+#include "document/check.h"
+#include "document/compiler.h"
+#include "document/library.h"
+#include "document/lines.h"
+#include "document/loaded_file.h"
+#include "document/names.h"
+#include "document/pictures.h"
+#include "document/xml.h"
+
+namespace mimo::document {
+namespace {
+
+// They are most of what a compiler does, and tell nothing of where things are.
+void drop_pictures(pugi::xml_node root) {
+  for (pugi::xml_node assets : root.children("asset")) {
+    while (assets.child("texture")) assets.remove_child("texture");
+  }
+  walk(root, [](pugi::xml_node node) {
+    if (!is(node, "material")) return;
+    node.remove_attribute("texture");
+    while (node.child("layer")) node.remove_child("layer");
+  });
+}
+
+// MuJoCo takes a mark of UTF-8 for part of the first word of an .obj, and so the first vertex for none.
+void hand_over_unmarked(pugi::xml_node mesh, const Limits& limits, Composition& composition) {
+  if (extension_of(mesh.attribute("file").value()) != ".obj") return;
+  const LoadedFile file(mesh, "file", limits);
+  const std::size_t mark = mark_of_utf8(file.bytes());
+  if (mark == 0) return;
+  if (!mesh.attribute("name")) set(mesh, "name", stem_of(file.path()));
+  const std::string name = "unmarked:" + std::to_string(composition.texts.size()) + ".obj";
+  set(mesh, "file", name);
+  composition.texts.push_back(std::make_shared<const std::string>(file.bytes().substr(mark)));
+  const std::string& text = *composition.texts.back();
+  composition.assets.push_back({name, {reinterpret_cast<const unsigned char*>(text.data()), text.size()}});
+}
+
+// The compiler makes a step of what it has compiled, in which every geom may be asked about every other one: for as
+// long as that takes, nobody else could compile. Whether the document itself has contacts.
+bool leave_out_contacts(pugi::xml_node root) {
+  constexpr const char* kOff = "disable";
+  bool had = true;
+  for (const pugi::xml_node option : root.children("option")) {
+    for (const pugi::xml_node flag : option.children("flag")) {
+      if (flag.attribute("contact")) had = std::strcmp(flag.attribute("contact").value(), kOff) != 0;
+    }
+  }
+  set(append(append(root, "option"), "flag"), "contact", kOff);
+  return had;
+}
+
+}  // namespace
+
+std::vector<AssetFile> asset_files(pugi::xml_node root) {
+  std::vector<AssetFile> files;
+  for (const pugi::xml_node assets : root.children("asset")) {
+    walk(assets, [&](pugi::xml_node node) {
+      for (const pugi::xml_attribute attribute : node.attributes()) {
+        if (std::string(attribute.name()).rfind("file", 0) == 0) files.push_back({node, attribute});
+      }
+    });
+  }
+  return files;
+}
+
+Span<const unsigned char> built_in_asset(const std::string& path) {
+  const std::string prefix = "mimo/";
+  if (path.rfind(prefix, 0) != 0) return {};
+  return built_in_file(path.substr(prefix.size()));
+}
+
+void settle(pugi::xml_node root) {
+  if (compiler_setting(root, "autolimits").empty()) set(section(root, "compiler"), "autolimits", "true");
+  for (pugi::xml_node option : root.children("option")) option.remove_attribute("apirate");
+}
+
+Composition packed(const pugi::xml_document& document, const Limits& limits) {
+  Composition composition;
+  composition.seconds = check(document.document_element(), limits).seconds();
+  const pugi::xml_document changed = copy(document);
+  settle(changed.document_element());
+  composition.lines = take_lines(changed.document_element());
+  std::vector<engine::Asset> pictures;  // decoded for textures only: of heights, MuJoCo knows no such form
+  std::set<std::string> seen;
+  for (const auto& [node, attribute] : asset_files(changed.document_element())) {
+    const auto bytes = built_in_asset(attribute.value());
+    if (bytes.empty() && is(node, "mesh")) hand_over_unmarked(node, limits, composition);
+    if (bytes.empty()) continue;
+    // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
+    std::string name = attribute.value();
+    std::replace(name.begin(), name.end(), '/', ':');
+    const bool is_texture = is(node, "texture");
+    const std::string given = is_texture ? decoded_name(name) : name;
+    set(node, attribute.name(), given);
+    if (seen.insert(given).second) (is_texture ? pictures : composition.assets).push_back({name, bytes});
+  }
+  decode_pictures(pictures);
+  composition.assets.insert(composition.assets.end(), pictures.begin(), pictures.end());
+  composition.has_contacts = leave_out_contacts(changed.document_element());
+  composition.xml = print(changed);
+  return composition;
+}
+
+engine::ModelPtr compile(const Composition& composition, const LogSink& log) {
+  constexpr double kWorthSaying = 1;
+  if (composition.seconds > kWorthSaying) {
+    log(LogLevel::kWarning,
+        format(
+            "compiling may take {:.3g} s, in which no other world of this process can be made; max_compile_ms of the "
+            "scene limits that",
+            composition.seconds));
+  }
+  try {
+    engine::ModelPtr model = engine::compile(composition.xml, composition.assets, log);
+    if (composition.has_contacts) engine::enable_contacts(*model);
+    return model;
+  } catch (const Error& error) {
+    throw Error(error.status(), with_users_lines(error.message(), composition.xml, composition.lines));
+  }
+}
+
+engine::ModelPtr compile_quietly(const pugi::xml_document& document, const Limits& limits) {
+  pugi::xml_document unpainted = copy(document);
+  drop_pictures(unpainted.document_element());
+  return compile(packed(unpainted, limits), {});
+}
+
+}  // namespace mimo::document

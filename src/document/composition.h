@@ -1,0 +1,47 @@
+// A document with the files that it refers to.
+#pragma once
+
+#include <memory>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "base/log.h"
+#include "document/limits.h"
+#include "engine/model.h"
+
+namespace mimo::document {
+
+// A document ready to compile, with the built-in files that it refers to.
+struct Composition {
+  std::string xml;
+  std::vector<engine::Asset> assets;
+  std::vector<std::string> lines;                         // where each element was written
+  std::vector<std::shared_ptr<const std::string>> texts;  // assets that are others than their files
+  double seconds = 0;                                     // that the compiler will work, estimated
+  bool has_contacts = true;                               // which the compiler is told nothing of
+};
+
+// Says what newer versions of MuJoCo do by themselves, and not what they have no longer: "apirate" never did anything.
+void settle(pugi::xml_node root);
+
+// Throws Status::kModel for a document that does not keep within the limits.
+Composition packed(const pugi::xml_document& document, const Limits& limits);
+
+// Throws what engine::compile throws; its messages name files and lines of the user's.
+engine::ModelPtr compile(const Composition& composition, const LogSink& log);
+
+// For a look at where things are, without pictures; warnings are told when a world is made of it.
+engine::ModelPtr compile_quietly(const pugi::xml_document& document, const Limits& limits);
+
+// Attributes that name the file of an asset.
+struct AssetFile {
+  pugi::xml_node node;
+  pugi::xml_attribute attribute;
+};
+std::vector<AssetFile> asset_files(pugi::xml_node root);
+
+// Bytes of a built-in file that a document calls "mimo/textures/floor.png"; empty for any other name.
+Span<const unsigned char> built_in_asset(const std::string& path);
+
+}  // namespace mimo::document

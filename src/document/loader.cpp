@@ -1,0 +1,183 @@
+#include "document/loader.h"
+
+#include <array>
+
+#include "base/fail.h"
+#include "document/compiler.h"
+#include "document/composition.h"
+#include "document/files.h"
+#include "document/from_newer_mujoco.h"
+#include "document/from_older_mujoco.h"
+#include "document/lines.h"
+#include "document/xml.h"
+#include "engine/schema.h"
+
+namespace mimo::document {
+namespace {
+
+constexpr const char* kLibraryPrefix = "mimo/";
+constexpr int kDeepestIncludes = 100;
+
+bool has_prefix(const std::string& text, const std::string& prefix) { return text.rfind(prefix, 0) == 0; }
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash + 1);
+}
+
+std::string join(const std::string& folder, const std::string& path) {
+  if (folder.empty() || has_prefix(path, "/")) return path;
+  return folder.back() == '/' ? folder + path : folder + "/" + path;
+}
+
+// A path on disk, which must not read as the name of a built-in file.
+std::string on_disk(const std::string& path) { return has_prefix(path, kLibraryPrefix) ? "./" + path : path; }
+
+// Attributes that name files, and the compiler attribute that names their folder.
+struct FileAttribute {
+  const char* element;
+  const char* attribute;
+  const char* folder;
+};
+constexpr std::array<FileAttribute, 10> kFiles = {{{"mesh", "file", "meshdir"},
+                                                   {"hfield", "file", "meshdir"},
+                                                   {"skin", "file", "meshdir"},
+                                                   {"texture", "file", "texturedir"},
+                                                   {"texture", "fileright", "texturedir"},
+                                                   {"texture", "fileleft", "texturedir"},
+                                                   {"texture", "fileup", "texturedir"},
+                                                   {"texture", "filedown", "texturedir"},
+                                                   {"texture", "filefront", "texturedir"},
+                                                   {"texture", "fileback", "texturedir"}}};
+
+// One folder for all assets is what newer versions of MuJoCo have besides.
+void name_folders(pugi::xml_node root) {
+  for (pugi::xml_node compiler : root.children("compiler")) {
+    const std::string folder = compiler.attribute("assetdir").value();
+    for (const char* own : {"meshdir", "texturedir"}) {
+      if (!folder.empty() && !compiler.attribute(own)) set(compiler, own, folder);
+    }
+    compiler.remove_attribute("assetdir");
+  }
+}
+
+}  // namespace
+
+pugi::xml_document Loader::built_in(const std::string& path) {
+  const auto content = library_.text(path);
+  if (!content) {
+    fail(Status::kNotFound, "no built-in model {}{}", path,
+         library_.built_in() ? "" : " in model_dir " + library_.folder());
+  }
+  return load(*content, path, {true, ""});
+}
+
+pugi::xml_document Loader::file(const std::string& path) {
+  const auto content = read_file(path, limits_);
+  if (!content) fail(Status::kNotFound, "file {} cannot be read", path);
+  return load(*content, path, {false, folder_of(path)});
+}
+
+pugi::xml_document Loader::text(const std::string& xml) { return load(xml, "xml text", {false, ""}); }
+
+pugi::xml_document Loader::load(const std::string& text, const std::string& name, const Origin& origin) {
+  pugi::xml_document document = parsed(text, name, origin, Root::kMujoco);
+  const pugi::xml_node root = document.document_element();
+  expand_includes(root, origin, in_radians(root));
+  require_shallow(document, name);
+  if (foreign(origin)) translate(root);
+  require_shallow(document, name);
+  locate_assets(root, origin);
+  return document;
+}
+
+// Into words of the MuJoCo that runs.
+void Loader::translate(pugi::xml_node root) const {
+  name_folders(root);
+  Report report;
+  engine::is_mujoco_2() ? translate_newer(root, report) : upgrade_older(root, limits_, report);
+  report.write(log_);
+}
+
+pugi::xml_document Loader::parsed(const std::string& text, const std::string& name, const Origin& origin,
+                                  Root root) const {
+  pugi::xml_document document = parse(text, name, root);
+  if (foreign(origin)) note_lines(document, text, name);
+  return document;
+}
+
+void Loader::require_inside(pugi::xml_node node, const std::string& path, const Origin& origin) const {
+  if (!limits_.confined || origin.library || lies_in(path, origin.folder)) return;
+  fail(Status::kModel, "{}: file {} lies outside the document's folder", where(node), path);
+}
+
+void Loader::expand_includes(pugi::xml_node root, const Origin& origin, bool host_in_radians) {
+  std::vector<pugi::xml_node> includes;  // collected first: inserting changes what is being walked over
+  walk(root, [&](pugi::xml_node node) {
+    if (std::string(node.name()) == "include") includes.push_back(node);
+  });
+  for (const pugi::xml_node include : includes) insert(include, origin, host_in_radians);
+}
+
+// A document's own folder may be called mimo as well: what the library does not have is looked for there.
+bool Loader::names_built_in(const std::string& path) const {
+  const std::string prefix = kLibraryPrefix;
+  return has_prefix(path, prefix) && library_.has(path.substr(prefix.size()));
+}
+
+// Puts the content of an included file in place of the include element.
+void Loader::insert(pugi::xml_node include, const Origin& origin, bool host_in_radians) {
+  std::string path = include.attribute("file").value();
+  if (path.empty()) fail(Status::kModel, "{}: an include element has no file", where(include));
+  Origin from = origin;
+  if (!from.library && names_built_in(path)) {
+    from = {true, "", origin.depth};
+    path = path.substr(std::string(kLibraryPrefix).size());
+  }
+  const std::string key = from.library ? kLibraryPrefix + path : on_disk(join(from.folder, path));
+  if (!included_.insert(key).second) fail(Status::kModel, "{}: file {} is included twice", where(include), key);
+  if (++from.depth > kDeepestIncludes) {
+    fail(Status::kModel, "{}: files are included more than {} deep", where(include), kDeepestIncludes);
+  }
+  require_inside(include, key, from);
+
+  const auto content = from.library ? library_.text(path) : read_file(key, limits_);
+  if (!content) fail(Status::kNotFound, "{}: included file {} cannot be read", where(include), key);
+  const pugi::xml_document document = parsed(*content, key, from, Root::kAny);
+  const pugi::xml_node root = document.document_element();
+  const bool crosses = from.library && !origin.library;
+  expand_includes(root, from, host_in_radians);
+  if (crosses) {
+    // A built-in file in a user's document: the user's compiler settings stay, the file adapts to them.
+    locate_assets(root, from);
+    while (root.child("compiler")) pugi::xml_node(root).remove_child("compiler");
+    if (host_in_radians) convert_to_radians(root);
+  }
+  pugi::xml_node parent = include.parent();
+  for (pugi::xml_node child : root.children()) copy_before(include, child);
+  parent.remove_child(include);
+}
+
+// Gives every asset file its full path, so that documents from different folders can be put together. Built-in files
+// are named "mimo/..."; the builder hands them to MuJoCo in memory.
+void Loader::locate_assets(pugi::xml_node root, const Origin& origin) const {
+  const std::string base = origin.library ? (library_.built_in() ? kLibraryPrefix : library_.folder()) : origin.folder;
+  const bool inside = origin.library && library_.built_in();
+  const bool strip = compiler_setting(root, "strippath") == "true";
+  walk(root, [&](pugi::xml_node node) {
+    for (const FileAttribute& entry : kFiles) {
+      if (std::string(node.name()) != entry.element) continue;
+      std::string path = node.attribute(entry.attribute).value();
+      if (path.empty() || (has_prefix(path, kLibraryPrefix) && !built_in_asset(path).empty())) continue;
+      if (strip) path = path.substr(path.find_last_of("/\\") + 1);
+      path = join(join(base, compiler_setting(root, entry.folder)), path);
+      if (!inside) require_inside(node, path, origin);
+      set(node, entry.attribute, inside ? path : on_disk(path));
+    }
+  });
+  for (pugi::xml_node compiler : root.children("compiler")) {
+    for (const char* attribute : {"meshdir", "texturedir", "strippath"}) compiler.remove_attribute(attribute);
+  }
+}
+
+}  // namespace mimo::document

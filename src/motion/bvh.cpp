@@ -1,0 +1,256 @@
+#include "motion/bvh.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <optional>
+#include <string_view>
+
+#include "motion/movement.h"
+#include "programs/angles.h"
+#include "programs/csv.h"
+#include "programs/failure.h"
+#include "programs/files.h"
+#include "programs/text.h"
+
+namespace cli {
+namespace {
+
+constexpr std::size_t kMostJoints = 1000;
+constexpr double kLeastSeconds = kLeastRowSeconds, kMostSeconds = 3600;  // of a frame
+
+// Exporters write keywords in any case: "End Site", "End site", "END SITE".
+bool same_word(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
+}
+
+// Words of a text, and where they are. A bracket is a word by itself.
+class Words {
+ public:
+  explicit Words(const std::string& path) : path_(path) {
+    std::ifstream file = open_to_read(path);
+    text_.assign(std::istreambuf_iterator<char>(file), {});
+    rest_ = text_;
+    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // the mark that some editors put first
+  }
+
+  // "" at the end.
+  std::string_view next() {
+    while (!rest_.empty() && is_space(rest_[0])) skip();
+    std::size_t length = rest_.empty() ? 0 : 1;
+    while (length < rest_.size() && !is_bracket(rest_[0]) && !ends_word(rest_[length])) ++length;
+    const std::string_view word = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return word;
+  }
+
+  void expect(std::string_view what) {
+    const std::string_view word = next();
+    if (!same_word(word, what)) fail("expected '" + std::string(what) + "'", word);
+  }
+
+  // The rest of the line, up to a bracket: names may have spaces ("Bip01 L Thigh").
+  std::string name() {
+    const std::string_view line = trim(rest_.substr(0, rest_.find_first_of("{\n")));
+    if (line.empty()) fail("expected a joint's name", next());
+    rest_.remove_prefix(static_cast<std::size_t>(line.data() - rest_.data()) + line.size());
+    return std::string(line);
+  }
+
+  // All numbers up to the end of the file.
+  std::vector<double> numbers() {
+    std::vector<double> all;
+    for (std::string_view word = next(); !word.empty(); word = next()) all.push_back(to_number(word));
+    return all;
+  }
+
+  double number() { return to_number(next()); }
+
+  std::size_t count(std::size_t most) {
+    const std::string_view word = next();
+    const double value = number_of_file(word).value_or(-1);
+    if (value < 0 || value > static_cast<double>(most) || value != std::floor(value)) {
+      fail("expected a whole number from 0 to " + std::to_string(most), word);
+    }
+    return static_cast<std::size_t>(value);
+  }
+
+  [[noreturn]] void fail(const std::string& what, std::string_view found) const {
+    throw Failure(path_ + ", line " + std::to_string(line_) + ": " + what + ", " +
+                  (found.empty() ? "but the file ends" : "not '" + std::string(found.substr(0, 60)) + "'"));
+  }
+
+ private:
+  double to_number(std::string_view word) const {
+    const std::optional<double> value = number_of_file(word);
+    if (!value) fail(std::string("expected ") + kNumberOfFile, word);
+    return *value;
+  }
+
+  static bool is_bracket(char c) { return c == '{' || c == '}'; }
+  static bool ends_word(char c) { return is_space(c) || is_bracket(c); }
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+  void skip() {
+    if (rest_[0] == '\n') ++line_;
+    rest_.remove_prefix(1);
+  }
+
+  std::string path_, text_;
+  std::string_view rest_;
+  std::size_t line_ = 1;
+};
+
+Eigen::Vector3d read_offset(Words& words) {
+  const double x = words.number(), y = words.number();
+  return {x, y, words.number()};
+}
+
+char read_channel(Words& words) {
+  const std::string_view word = words.next();
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    if (same_word(word, axis + std::string("position"))) return axis;
+    if (same_word(word, axis + std::string("rotation"))) return static_cast<char>(axis - 'A' + 'a');
+  }
+  words.fail("expected a channel (Xposition ... Zrotation)", word);
+}
+
+class Hierarchy {
+ public:
+  Hierarchy(Words& words, Bvh& bvh) : words_(words), bvh_(bvh) {}
+
+  std::size_t read() {
+    words_.expect("HIERARCHY");
+    words_.expect("ROOT");
+    do {
+      read_joint(-1);
+      const std::string_view word = words_.next();
+      if (same_word(word, "MOTION")) return channels_;
+      if (!same_word(word, "ROOT")) words_.fail("expected 'MOTION' or another ROOT", word);
+    } while (true);
+  }
+
+ private:
+  void read_joint(int parent) {
+    if (bvh_.joints.size() == kMostJoints) words_.fail("expected at most 1000 joints", "JOINT");
+    const auto number = bvh_.joints.size();
+    bvh_.joints.push_back({words_.name(), parent, {0, 0, 0}, {0, 0, 0}, "", channels_});
+    words_.expect("{");
+    words_.expect("OFFSET");
+    bvh_.joints[number].offset = read_offset(words_);
+    words_.expect("CHANNELS");
+    for (std::size_t left = words_.count(6); left > 0; --left, ++channels_) {
+      std::string& channels = bvh_.joints[number].channels;
+      const char channel = read_channel(words_);
+      if (channel <= 'Z' && channels.find(channel) != std::string::npos) {
+        words_.fail("expected each position once", channel + std::string("position, of which there are two"));
+      }
+      channels += channel;
+    }
+    for (std::string_view word = words_.next(); word != "}"; word = words_.next()) {
+      if (same_word(word, "JOINT")) {
+        read_joint(static_cast<int>(number));
+      } else if (same_word(word, "End")) {
+        bvh_.joints[number].end = read_end();
+      } else {
+        words_.fail("expected JOINT, End Site or }", word);
+      }
+    }
+  }
+
+  Eigen::Vector3d read_end() {
+    words_.expect("Site");
+    words_.expect("{");
+    words_.expect("OFFSET");
+    Eigen::Vector3d end = read_offset(words_);
+    words_.expect("}");
+    return end;
+  }
+
+  Words& words_;
+  Bvh& bvh_;
+  std::size_t channels_ = 0;
+};
+
+Eigen::Isometry3d local_pose(const BvhJoint& joint, const double* values) {
+  Eigen::Vector3d place = joint.offset;
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  for (std::size_t i = 0; i < joint.channels.size(); ++i) {
+    const char channel = joint.channels[i];
+    if (channel <= 'Z') {
+      place[channel - 'X'] = values[joint.first + i];  // in place of the offset
+    } else {
+      orientation =
+          orientation * Eigen::AngleAxisd(values[joint.first + i] * kDegree, Eigen::Vector3d::Unit(channel - 'x'));
+    }
+  }
+  return Eigen::Translation3d(place) * orientation;
+}
+
+}  // namespace
+
+std::vector<Eigen::Isometry3d> Bvh::poses(std::size_t frame) const {
+  std::vector<Eigen::Isometry3d> all;
+  for (const BvhJoint& joint : joints) {
+    const Eigen::Isometry3d local = local_pose(joint, frames[frame].data());
+    all.push_back(joint.parent < 0 ? local : all[static_cast<std::size_t>(joint.parent)] * local);
+  }
+  return all;
+}
+
+std::vector<Eigen::Isometry3d> Bvh::rest() const {
+  std::vector<Eigen::Isometry3d> all;
+  for (const BvhJoint& joint : joints) {
+    const Eigen::Isometry3d local(Eigen::Translation3d(joint.offset));
+    all.push_back(joint.parent < 0 ? local : all[static_cast<std::size_t>(joint.parent)] * local);
+  }
+  return all;
+}
+
+namespace {
+
+// Some programs write a frame more, or one less, than they say.
+void read_frames(Words& words, std::size_t channels, std::size_t said, Bvh& bvh) {
+  const std::vector<double> numbers = words.numbers();
+  if (channels == 0) words.fail("expected channels", "joints without any");
+  if (numbers.size() % channels != 0) {
+    words.fail("expected " + std::to_string(channels) + " numbers for each frame",
+               std::to_string(numbers.size() % channels) + "' for the last one of '" + std::to_string(numbers.size()));
+  }
+  const std::size_t found = numbers.size() / channels;
+  if (found == 0 || found + 1 < said || found > said + 1) {
+    words.fail("expected " + std::to_string(said) + " frames, as 'Frames:' says", std::to_string(found));
+  }
+  if (found != said) {
+    bvh.notes.push_back("'Frames:' says " + std::to_string(said) + ", the file has " + std::to_string(found) +
+                        ": all of these are read");
+  }
+  for (auto row = numbers.begin(); row != numbers.end(); row += static_cast<std::ptrdiff_t>(channels)) {
+    bvh.frames.emplace_back(row, row + static_cast<std::ptrdiff_t>(channels));
+  }
+}
+
+}  // namespace
+
+Bvh read_bvh(const std::string& path) {
+  Words words(path);
+  Bvh bvh;
+  const std::size_t channels = Hierarchy(words, bvh).read();
+  words.expect("Frames:");
+  const std::size_t frames = words.count(100000000);
+  if (frames == 0) words.fail("expected at least one frame", "0");
+  words.expect("Frame");
+  words.expect("Time:");
+  const std::string_view time = words.next();
+  bvh.frame_seconds = number_of_file(time).value_or(0);
+  if (!(bvh.frame_seconds >= kLeastSeconds && bvh.frame_seconds <= kMostSeconds)) {
+    words.fail("expected a frame time from 1e-6 to 3600 s", time);
+  }
+  read_frames(words, channels, frames, bvh);
+  return bvh;
+}
+
+}  // namespace cli

@@ -1,0 +1,393 @@
+#include "programs/world.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "programs/text.h"
+#include "programs/world_summary.h"
+
+namespace cli {
+namespace {
+
+// Goes into the `log` member of configs.
+void print_message(void*, const mimo_log_record* record) {
+  std::fprintf(stderr, "mimo: %s: %s\n", record->level == MIMO_LOG_WARNING ? "warning" : "note", record->text);
+}
+
+bool is_builtin(const std::string& scene) {
+  const auto names = mimo::scene_names();
+  return std::find(names.begin(), names.end(), scene) != names.end();
+}
+
+// What is no built-in name and looks like a path is one; the library complains best about anything else.
+bool is_file(const std::string& scene) {
+  return !is_builtin(scene) && scene.find_first_of("./\\") != std::string::npos;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+mimo::Scene load_scene(const WorldOptions& options) {
+  auto config = mimo::scene_config();
+  (is_file(options.scene) ? config.file : config.name) = options.scene.c_str();
+  config.log = print_message;
+  return mimo::Scene(config);
+}
+
+// Only the compiled model knows: the body may come from an include.
+mimo::Env bare_file(const WorldOptions& options) {
+  auto config = mimo::env_config();
+  config.renderer = "none";
+  return mimo::Env(load_scene(options), config);
+}
+
+// Everything in a file that knows nothing of infants is one agent, with the senses that there is something for.
+void make_agent_of_all(const WorldOptions& options, mimo_agent_config& agent) {
+  const mimo::Env world = bare_file(options);
+  agent.body = "scene";
+  agent.root = "world";
+  agent.vestibular = 0;
+  if (world.count(MIMO_CAMERA) == 0) agent.vision = 0;
+}
+
+// "scene" where the infant is part of the scene's file, "" where there is none: then everything in it is one agent.
+std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& usual) {
+  if (is_file(options.scene) && !infants(bare_file(options)).empty()) return "scene";
+  return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
+}
+
+// Words for MIMO_ACTUATION_ constants, in their order.
+const std::vector<std::string> kActuations = {"torque", "position", "muscle", "mujoco-muscle"};
+
+std::uint32_t actuation(const WorldOptions& options, const mimo_agent_config& usual) {
+  const auto found = std::find(kActuations.begin(), kActuations.end(), options.actuation);
+  return found == kActuations.end() ? usual.actuation : static_cast<std::uint32_t>(found - kActuations.begin());
+}
+
+std::uint32_t pixels(const WorldOptions& options) {
+  if (options.vision == "off") return 0;
+  return options.vision.empty() ? 256 : static_cast<std::uint32_t>(std::stoul(options.vision));
+}
+
+std::string check_vision(const std::string& text) {
+  const bool number = !text.empty() && text.size() <= 4 &&
+                      std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool good = text == "off" || (number && std::stoul(text) >= 1 && std::stoul(text) <= 4096);
+  return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
+}
+
+bool is_number(const std::string& text, double low, double high) {
+  const std::optional<double> value = finite_number(text);
+  return value && *value >= low && *value <= high;
+}
+
+std::string check_touch(const std::string& text) {
+  const bool good = text == "off" || is_number(text, 0.001, 1000);
+  return good ? "" : "expected 'off' or a number from 0.001 to 1000, not '" + text + "'";
+}
+
+// The parser alone would take -1 and make something of it.
+std::string check_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool good = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  return good ? "" : "expected a whole number from 0 to 18446744073709551615, not '" + text + "'";
+}
+
+struct Word {
+  const char* name;
+  std::uint32_t bit;
+};
+
+constexpr Word kEffects[] = {{"shadows", MIMO_RENDER_SHADOWS},
+                             {"reflections", MIMO_RENDER_REFLECTIONS},
+                             {"sky", MIMO_RENDER_SKY},
+                             {"haze", MIMO_RENDER_HAZE},
+                             {"fog", MIMO_RENDER_FOG}};
+
+constexpr Word kReflexes[] = {{"palmar_grasp", MIMO_REFLEX_PALMAR_GRASP},
+                              {"plantar_grasp", MIMO_REFLEX_PLANTAR_GRASP},
+                              {"rooting", MIMO_REFLEX_ROOTING},
+                              {"moro", MIMO_REFLEX_MORO},
+                              {"asymmetric_tonic_neck", MIMO_REFLEX_ASYMMETRIC_TONIC_NECK},
+                              {"stepping", MIMO_REFLEX_STEPPING},
+                              {"withdrawal", MIMO_REFLEX_WITHDRAWAL},
+                              {"all", MIMO_REFLEX_ALL}};
+
+template <std::size_t kCount>
+std::uint32_t bit_of(const Word (&words)[kCount], const std::string& name) {
+  for (const Word& word : words) {
+    if (name == word.name) return word.bit;
+  }
+  return 0;
+}
+
+// The bits of a list of words; nothing where one is unknown.
+template <std::size_t kCount>
+std::optional<std::uint32_t> bits_of(const Word (&words)[kCount], const std::string& list) {
+  std::uint32_t bits = 0;
+  if (list == "none") return bits;
+  for (const std::string& part : parts_of(list)) {
+    const std::uint32_t bit = bit_of(words, part);
+    if (bit == 0) return std::nullopt;
+    bits |= bit;
+  }
+  return bits;
+}
+
+std::string check_reflexes(const std::string& list) {
+  if (bits_of(kReflexes, list)) return "";
+  return "expected 'all', 'none' or a list of palmar_grasp, plantar_grasp, rooting, moro, asymmetric_tonic_neck, "
+         "stepping and withdrawal with commas between, not '" +
+         list + "'";
+}
+
+std::string check_effects(const std::string& list) {
+  if (bits_of(kEffects, list)) return "";
+  return "expected 'none' or a list of shadows, reflections, sky, haze and fog with commas between, not '" + list + "'";
+}
+
+void set_vision(std::uint32_t size, mimo_agent_config& agent) {
+  agent.vision = size != 0;
+  if (size != 0) agent.vision_width = agent.vision_height = size;
+}
+
+void set_touch(const std::string& touch, mimo_agent_config& agent) {
+  agent.touch = touch != "off";
+  if (agent.touch != 0) agent.touch_scale = std::stod(touch);
+}
+
+// All receptors of the senses that there are.
+void add_receptors(mimo_agent_config& agent) {
+  if (agent.touch != 0) {
+    agent.touch |= MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE | MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC |
+                   MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM |
+                   MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW | MIMO_TOUCH_UNITS;
+  }
+  if (agent.vestibular != 0) {
+    agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+  }
+  agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
+}
+
+mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
+  const bool own = senses == Senses::kOwn;
+  auto agent = own ? usual : mimo::agent_config();
+  agent.actuation = actuation(options, usual);
+  if (!own || !options.vision.empty()) set_vision(senses == Senses::kAllButVision ? 0 : pixels(options), agent);
+  if (options.eye_width != 0) {
+    agent.vision = MIMO_VISION_RGB;
+    agent.vision_width = options.eye_width;
+    agent.vision_height = options.eye_height;
+  }
+  agent.vision_foveation = options.foveation;
+  if (!own || !options.touch.empty()) set_touch(options.touch, agent);
+  if (!options.face.empty()) agent.face = options.face.c_str();
+  if (options.every_sense) add_receptors(agent);
+  agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
+  agent.voice = options.voice ? 1 : 0;
+  if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
+  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
+  return agent;
+}
+
+}  // namespace
+
+std::vector<std::string> parts_of(const std::string& list) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0; start <= list.size();) {
+    const std::size_t end = std::min(list.find(',', start), list.size());
+    parts.push_back(list.substr(start, end - start));
+    start = end + 1;
+  }
+  return parts;
+}
+
+std::size_t steps_in(double seconds, double step) {
+  return static_cast<std::size_t>(std::max(1.0, std::round(seconds / step)));
+}
+
+CLI::Validator number(double low, double high) {
+  const auto check = [low, high](const std::string& text) {
+    return is_number(text, low, high) ? ""
+                                      : cli::text("expected a number from %g to %g, not '%s'", low, high, text.c_str());
+  };
+  return CLI::Validator(check, "");
+}
+
+void add_scene_options(CLI::App& command, WorldOptions& options) {
+  command.add_option("--scene", options.scene, "Built-in scene (" + list(mimo::scene_names()) + ") or MJCF file")
+      ->type_name("NAME|FILE")
+      ->capture_default_str();
+  command
+      .add_option("--body", options.body,
+                  "Body of the infant: mitten or fingers; mitten-mirrored or\n"
+                  "fingers-mirrored for one whose left is the image of its right. A\n"
+                  "file that holds an infant keeps that one; a file without gets one\n"
+                  "only if this is given")
+      ->type_name("BODY");
+  add_age_options(command, options.age);
+}
+
+void add_vision_options(CLI::App& command, WorldOptions& options, const std::string& usual) {
+  command.add_option("--vision", options.vision, "Pixels a side of each eye's picture, or off.\nDefault: " + usual)
+      ->type_name("PX|off")
+      ->check(CLI::Validator(check_vision, ""));
+  add_renderer_option(command, options);
+}
+
+void add_foveation_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--foveation", options.foveation,
+                  "Show the middle of what is seen L / ln(1 + L) times as large, the\nrim small, 0.01 to 100. Default: "
+                  "as drawn")
+      ->type_name("L")
+      ->check(number(0.01, 100));
+}
+
+void add_touch_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--touch", options.touch,
+                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. " +
+                      std::string(options.touch.empty() ? "Default: the scene's own" : "Pictures show what they feel"))
+      ->type_name("SCALE|off")
+      ->check(CLI::Validator(check_touch, ""))
+      ->capture_default_str();
+}
+
+void add_renderer_option(CLI::App& command, WorldOptions& options) {
+  command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray, osmesa or gl")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--samples", options.samples,
+          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, what the scene says with OpenGL")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 4, 16, 64}).description(""));
+  command
+      .add_option("--effects", options.effects,
+                  "What pictures show: none, or a list of shadows,reflections,sky,haze,fog.\nDefault: all but fog")
+      ->type_name("LIST")
+      ->check(CLI::Validator(check_effects, ""));
+  command.add_option("--render-threads", options.render_threads, "Threads that draw one picture, with rays: 1 to 64")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64).description(""))
+      ->capture_default_str();
+}
+
+void add_actuation_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--actuation", options.actuation,
+                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: " +
+                      (options.actuation.empty() ? "the scene's own" : options.actuation))
+      ->type_name("NAME")
+      ->check(CLI::IsMember(kActuations));
+}
+
+void add_senses_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--senses",
+          [&options](const std::string& which) {
+            options.every_sense = which == "all";
+            options.hearing = which != "usual";
+          },
+          "usual; hearing: also ears; or all: also ears, and what nerves of\nskin, muscles, joints and labyrinth tell. "
+          "Default: usual")
+      ->type_name("WHICH")
+      ->check(CLI::IsMember({"usual", "hearing", "all"}).description(""));
+}
+
+void add_seconds_option(CLI::App& command, double& seconds) {
+  command.add_option("--seconds", seconds, "Simulated time, at 100 steps a second")
+      ->type_name("S")
+      ->check(number(0.01, 1e6))
+      ->capture_default_str();
+}
+
+void add_voice_option(CLI::App& command, WorldOptions& options) {
+  command.add_flag("--voice", options.voice, "The infant has a voice, four actions more after those of its motors");
+}
+
+void add_reflexes_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--reflexes", options.reflexes,
+                  "Reflexes of newborns, which fade with age: none, all that the body can do,\nor a list of "
+                  "palmar_grasp,plantar_grasp,rooting,moro,\nasymmetric_tonic_neck,stepping,withdrawal")
+      ->type_name("LIST")
+      ->check(CLI::Validator(check_reflexes, ""))
+      ->capture_default_str();
+}
+
+void add_face_option(CLI::App& command, WorldOptions& options) {
+  command.add_option("--face", options.face, "The infant's face: " + list(mimo::face_names()))->type_name("NAME");
+}
+
+void add_seed_option(CLI::App& command, WorldOptions& options) {
+  command.add_option("--seed", options.seed, "Seed of everything random")
+      ->type_name("N")
+      ->check(CLI::Validator(check_seed, ""))
+      ->capture_default_str();
+}
+
+mimo::Scene make_scene(const WorldOptions& options, Senses senses) {
+  constexpr double kSpacing = 0.05;  // of touch sensors on what is no infant, m
+  mimo::Scene scene = load_scene(options);
+  const mimo_agent_config usual = scene.default_agent();
+  const std::string body = body_of_scene(options, usual);
+  mimo_agent_config agent = agent_config(options, senses, usual);
+  const std::optional<mimo_growth> growth = growth_of(options.age);
+  if (growth) agent.growth = &*growth;
+  if (body.empty()) {
+    make_agent_of_all(options, agent);
+    scene.add_agent(agent);
+    if (agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
+    return scene;
+  }
+  agent.body = body.c_str();
+  scene.add_agents(&agent);
+  return scene;
+}
+
+mimo_env_config make_env_config() {
+  auto config = mimo::env_config();
+  config.log = print_message;
+  return config;
+}
+
+void set_renderer(const WorldOptions& options, mimo_env_config& config) {
+  config.renderer = options.renderer.c_str();
+  config.samples = options.samples;
+  config.render_threads = options.render_threads;
+  if (!options.effects.empty()) config.render = bits_of(kEffects, options.effects).value_or(config.render);
+}
+
+mimo::Env open_world(const WorldOptions& options, mimo_env_config config) {
+  set_renderer(options, config);
+  try {
+    return mimo::Env(make_scene(options, Senses::kAll), config);
+  } catch (const mimo::Exception& error) {
+    if (error.status() != MIMO_E_UNSUPPORTED || !options.vision.empty()) throw;
+    std::fprintf(stderr, "mimo: vision is off: %s\n", error.what());
+    return mimo::Env(make_scene(options, Senses::kAllButVision), config);
+  }
+}
+
+mimo::Env open_own_world(const WorldOptions& options, mimo_env_config config) {
+  set_renderer(options, config);
+  return mimo::Env(make_scene(options, Senses::kOwn), config);
+}
+
+mimo::Env open_bare_world(const WorldOptions& options, mimo_env_config config) {
+  config.renderer = "none";
+  return mimo::Env(make_scene(options, Senses::kNone), config);
+}
+
+}  // namespace cli

@@ -1,0 +1,328 @@
+#include "solver/hessian.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "solver/constraint_states.h"
+#include "solver/stack.h"
+
+namespace mimo::solver {
+namespace {
+
+constexpr int kMostRows = 6;  // of a contact
+constexpr int kLanes = 4;
+
+int whole_lanes(int count) { return (count + kLanes - 1) / kLanes * kLanes; }
+
+// sums[0 .. count) += factor * numbers, in whole lanes: both have room for them.
+inline void add_scaled(double* __restrict sums, const double* __restrict numbers, double factor, int count) {
+  for (int k = 0; k < count; k += kLanes) {
+    for (int lane = 0; lane < kLanes; ++lane) sums[k + lane] += factor * numbers[k + lane];
+  }
+}
+
+// A row of marks, one bit for each column.
+using Word = std::uint64_t;
+constexpr int kBits = 64;
+
+int words_of(int size) { return (size + kBits - 1) / kBits; }
+void mark(Word* row, int column) { row[column / kBits] |= Word{1} << (column % kBits); }
+
+// Where the matrix itself is not zero. A block's columns meet in the rows of all of them; its last row will do, as
+// elimination carries them up into the others.
+void mark_entries(const mjModel& model, const Blocks& blocks, Word* marks) {
+  const int words = words_of(model.nv);
+  for (int dof = 0; dof < model.nv; ++dof) {
+    Word* row = marks + dof * words;
+    const int parent = model.dof_parentid[dof];
+    if (parent < 0) {
+      std::fill_n(row, words, Word{0});
+    } else {
+      std::copy_n(marks + parent * words, words, row);
+    }
+    mark(row, dof);
+  }
+  for (int i = 0; i < blocks.count; ++i) {
+    const Block& block = blocks.all[i];
+    if (block.width < 2) continue;
+    Word* row = marks + block.columns[block.width - 1] * words;
+    for (int k = 0; k < block.width; ++k) mark(row, block.columns[k]);
+  }
+}
+
+int last_mark(const Word* row, int words) {
+  while (words > 0 && row[words - 1] == 0) --words;
+  return words == 0 ? -1 : words * kBits - 1 - __builtin_clzll(row[words - 1]);
+}
+
+// Eliminating a row leaves its entries in the row of the last of them but itself.
+void fill_in(int size, Word* marks) {
+  const int words = words_of(size);
+  for (int row = size - 1; row > 0; --row) {
+    Word* line = marks + row * words;
+    const Word diagonal = Word{1} << (row % kBits);
+    line[row / kBits] ^= diagonal;
+    const int next = last_mark(line, row / kBits + 1);
+    for (int i = 0; next >= 0 && i <= next / kBits; ++i) marks[next * words + i] |= line[i];
+    line[row / kBits] ^= diagonal;
+  }
+}
+
+int place_rows(int size, const Word* marks, int* starts, int* ends) {
+  const int words = words_of(size);
+  int at = 0;
+  for (int row = 0; row < size; ++row) {
+    starts[row] = ends[row] = at;
+    for (int i = 0; i < words; ++i) ends[row] += __builtin_popcountll(marks[row * words + i]);
+    at += whole_lanes(ends[row] - at);
+  }
+  return at;
+}
+
+void list_columns(int size, const Word* marks, const int* starts, int* columns) {
+  const int words = words_of(size);
+  for (int row = 0; row < size; ++row) {
+    int* to = columns + starts[row];
+    for (int i = 0; i < words; ++i) {
+      for (Word rest = marks[row * words + i]; rest != 0; rest &= rest - 1) *to++ = i * kBits + __builtin_ctzll(rest);
+    }
+  }
+}
+
+// Adds to a row of the matrix numbers in some of its columns; mostly these are all.
+inline void add_to_row(const Hessian& hessian, double* matrix, int row, int count, const int* columns,
+                       const double* numbers, double factor) {
+  const int start = hessian.starts[row];
+  double* values = matrix + start;
+  if (count == hessian.ends[row] - start) {
+    add_scaled(values, numbers, factor, count);
+    return;
+  }
+  const int* own = hessian.columns + start;
+  for (int k = 0, at = 0; k < count; ++k) {
+    while (own[at] != columns[k]) ++at;
+    values[at] += factor * numbers[k];
+  }
+}
+
+void write_inertia(const mjModel& model, const mjData& data, const Hessian& hessian, double* inertia) {
+  std::fill_n(inertia, hessian.entries, 0.0);
+  for (int dof = 0; dof < model.nv; ++dof) {
+    int at = hessian.ends[dof] - 1;
+    compat::visit_inertia(model, data, dof, [&](int other, double value) {
+      while (hessian.columns[at] != other) --at;
+      inertia[at--] = value;
+    });
+  }
+}
+
+// J' W J, where `weighted` is W J. Known numbers of rows keep a sum in a register.
+template <int kRows>
+void add_product_of(const Hessian& hessian, const Block& block, const double* weighted) {
+  double* __restrict sums = hessian.scratch + kMostRows * (hessian.size + kLanes);
+  const int width = block.width;
+  for (int i = 0; i < width; ++i) {
+    double factors[kRows];
+    for (int r = 0; r < kRows; ++r) factors[r] = block.values[r * width + i];
+    for (int k = 0; k <= i; k += kLanes) {
+      for (int lane = 0; lane < kLanes; ++lane) {
+        double sum = factors[0] * weighted[k + lane];
+        for (int r = 1; r < kRows; ++r) sum += factors[r] * weighted[r * width + k + lane];
+        sums[k + lane] = sum;
+      }
+    }
+    add_to_row(hessian, hessian.values, block.columns[i], i + 1, block.columns, sums, 1);
+  }
+}
+
+void add_product(const Hessian& hessian, const Block& block, const double* weighted) {
+  switch (block.rows) {
+    case 1: return add_product_of<1>(hessian, block, weighted);
+    case 3: return add_product_of<3>(hessian, block, weighted);
+    case 4: return add_product_of<4>(hessian, block, weighted);
+    default: return add_product_of<6>(hessian, block, weighted);
+  }
+}
+
+void weigh_evenly(const mjData& data, const Block& block, double* weighted) {
+  for (int r = 0; r < block.rows; ++r) {
+    for (int k = 0; k < block.width; ++k) {
+      weighted[r * block.width + k] = data.efc_D[block.row + r] * block.values[r * block.width + k];
+    }
+  }
+}
+
+void weigh_slipping(const Slip& slip, const Block& block, double* weighted) {
+  for (int k = 0; k < block.width; ++k) {
+    const double* column = block.values + k;
+    double slide = 0;
+    for (int r = 1; r < block.rows; ++r) slide += slip.slide[r] * (slip.scales[r] * column[r * block.width]);
+    const double across = slip.stiffness * (slip.scales[0] * column[0] - slip.friction * slide);
+    weighted[k] = slip.scales[0] * across;
+    const double bend = slip.stiffness * slip.bend, along = bend * slide + slip.friction * across;
+    for (int r = 1; r < block.rows; ++r) {
+      const double scaled = slip.scales[r] * column[r * block.width];
+      weighted[r * block.width + k] = slip.scales[r] * (bend * scaled - slip.slide[r] * along);
+    }
+  }
+}
+
+bool is_single(const Block& block) { return block.rows == 1 && block.width == 1; }
+bool is_quiet(const Hessian& hessian, const Block& block) {
+  return is_single(block) && hessian.quiet[block.columns[0]];
+}
+
+void add_single(const Hessian& hessian, const mjData& data, const Block& block, double* matrix) {
+  matrix[hessian.ends[block.columns[0]] - 1] += data.efc_D[block.row] * block.values[0] * block.values[0];
+}
+
+void add_block(const Hessian& hessian, const mjData& data, const Block& block, const double* violation) {
+  const int state = data.efc_state[block.row];
+  if (state == mjCNSTRSTATE_QUADRATIC && is_single(block)) {
+    add_single(hessian, data, block, hessian.values);
+  } else if (state == mjCNSTRSTATE_QUADRATIC) {
+    weigh_evenly(data, block, hessian.scratch);
+    add_product(hessian, block, hessian.scratch);
+  } else if (state == mjCNSTRSTATE_CONE) {
+    weigh_slipping(slip_of(data, block, violation), block, hessian.scratch);
+    add_product(hessian, block, hessian.scratch);
+  }
+}
+
+void find_quiet(const Hessian& hessian, const Blocks& blocks, bool* quiet) {
+  std::fill_n(quiet, hessian.size, true);
+  for (int i = 0; i < blocks.count; ++i) {
+    const Block& block = blocks.all[i];
+    for (int k = 0; k < block.width && !is_single(block); ++k) quiet[block.columns[k]] = false;
+  }
+  for (int row = hessian.size - 1; row >= 0; --row) {
+    for (int at = hessian.starts[row]; at < hessian.ends[row] && !quiet[row]; ++at) quiet[hessian.columns[at]] = false;
+  }
+}
+
+// Rows of one kind, into those above them.
+void eliminate(const Hessian& hessian, bool quiet, double* matrix) {
+  double* line = hessian.scratch;
+  for (int row = hessian.size - 1; row >= 0; --row) {
+    if (hessian.quiet[row] != quiet) continue;
+    double* values = matrix + hessian.starts[row];
+    const int* columns = hessian.columns + hessian.starts[row];
+    const int count = hessian.ends[row] - hessian.starts[row] - 1;  // without the diagonal
+    values[count] = std::max(values[count], mjMINVAL);
+    const double inverse = 1 / values[count];
+    std::copy_n(values, count, line);
+    for (int i = 0; i < count; ++i) {
+      values[i] = line[i] * inverse;
+      add_to_row(hessian, matrix, columns[i], i + 1, columns, line, -values[i]);
+    }
+  }
+}
+
+// Whether the quiet rows' constraints are in other states than when these were eliminated; notes the present ones.
+bool quiet_changed(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  int& begun = hessian.counted[blocks.count];
+  bool changed = begun == 0;
+  begun = 1;
+  for (int i = 0; i < blocks.count; ++i) {
+    if (!is_quiet(hessian, blocks.all[i])) continue;
+    const int counts = data.efc_state[blocks.all[i].row] == mjCNSTRSTATE_QUADRATIC ? 1 : 0;
+    changed = changed || hessian.counted[i] != counts;
+    hessian.counted[i] = counts;
+  }
+  return changed;
+}
+
+void begin(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  std::copy_n(hessian.inertia, hessian.entries, hessian.begun);
+  for (int i = 0; i < blocks.count; ++i) {
+    const Block& block = blocks.all[i];
+    if (is_quiet(hessian, block) && hessian.counted[i] == 1) add_single(hessian, data, block, hessian.begun);
+  }
+  eliminate(hessian, true, hessian.begun);
+}
+
+}  // namespace
+
+Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
+  const int size = model.nv;
+  int* starts = take<int>(data, size);
+  int* ends = take<int>(data, size);
+  Word* marks = take<Word>(data, size * words_of(size));
+  mark_entries(model, blocks, marks);
+  fill_in(size, marks);
+  const int entries = place_rows(size, marks, starts, ends);
+  int* columns = take<int>(data, entries);
+  list_columns(size, marks, starts, columns);
+  double* inertia = take<double>(data, entries);
+  bool* quiet = take<bool>(data, size);
+  int* counted = take<int>(data, blocks.count + 1);
+  const int room = (kMostRows + 1) * (size + kLanes);
+  const Hessian hessian = {size,
+                           entries,
+                           starts,
+                           ends,
+                           columns,
+                           inertia,
+                           quiet,
+                           take<double>(data, entries),
+                           counted,
+                           take<double>(data, entries),
+                           take<double>(data, room)};
+  write_inertia(model, data, hessian, inertia);
+  std::fill_n(hessian.scratch, room, 0.0);
+  find_quiet(hessian, blocks, quiet);
+  std::fill_n(counted, blocks.count + 1, 0);
+  return hessian;
+}
+
+void multiply_inertia(const Hessian& hessian, const double* vector, double* product) {
+  for (int row = 0; row < hessian.size; ++row) {
+    const int diagonal = hessian.ends[row] - 1;
+    const double value = vector[row];
+    double even = hessian.inertia[diagonal] * value, odd = 0;  // two sums, as each waits for itself
+    int at = hessian.starts[row];
+    for (; at + 1 < diagonal; at += 2) {
+      const int first = hessian.columns[at], second = hessian.columns[at + 1];
+      even += hessian.inertia[at] * vector[first];
+      odd += hessian.inertia[at + 1] * vector[second];
+      product[first] += hessian.inertia[at] * value;
+      product[second] += hessian.inertia[at + 1] * value;
+    }
+    if (at < diagonal) {
+      even += hessian.inertia[at] * vector[hessian.columns[at]];
+      product[hessian.columns[at]] += hessian.inertia[at] * value;
+    }
+    product[row] = even + odd;
+  }
+}
+
+void factorize(const Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation) {
+  if (quiet_changed(hessian, data, blocks)) begin(hessian, data, blocks);
+  std::copy_n(hessian.begun, hessian.entries, hessian.values);
+  for (int i = 0; i < blocks.count; ++i) {
+    if (!is_quiet(hessian, blocks.all[i])) add_block(hessian, data, blocks.all[i], violation);
+  }
+  eliminate(hessian, false, hessian.values);
+}
+
+void solve(const Hessian& hessian, double* vector) {
+  for (int row = hessian.size - 1; row >= 0; --row) {
+    const double value = vector[row];
+    for (int at = hessian.starts[row]; at < hessian.ends[row] - 1; ++at) {
+      vector[hessian.columns[at]] -= hessian.values[at] * value;
+    }
+  }
+  for (int row = 0; row < hessian.size; ++row) {
+    const int diagonal = hessian.ends[row] - 1;
+    double even = vector[row] / hessian.values[diagonal], odd = 0;  // two sums, as each waits for itself
+    int at = hessian.starts[row];
+    for (; at + 1 < diagonal; at += 2) {
+      even -= hessian.values[at] * vector[hessian.columns[at]];
+      odd -= hessian.values[at + 1] * vector[hessian.columns[at + 1]];
+    }
+    if (at < diagonal) even -= hessian.values[at] * vector[hessian.columns[at]];
+    vector[row] = even + odd;
+  }
+}
+
+}  // namespace mimo::solver

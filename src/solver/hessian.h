@@ -1,0 +1,40 @@
+// The matrix of the solver's Newton steps: inertia plus what active constraints add to it, in the accelerations of the
+// degrees of freedom. Lies on the stack of mjData, as blocks do.
+#pragma once
+
+#include <mujoco/mjdata.h>
+#include <mujoco/mjmodel.h>
+
+#include "solver/blocks.h"
+
+namespace mimo::solver {
+
+// The lower triangle, of which each row holds only what is not zero in the matrix or in its factor L'DL. That grows
+// from the last row up: a model without contacts has the entries of its inertia and no others. Rows begin at multiples
+// of four, so that numbers are added four at a time; what lies between rows means nothing.
+//
+// Quiet rows are those that no block of several columns reaches, by itself or by elimination: an arm in the air. All
+// that they know of constraints is friction and limits of single joints, whose states change seldom, so that their part
+// of the factor mostly lasts for several iterations.
+struct Hessian {
+  int size, entries;
+  const int* starts;   // of each row in `columns` and the arrays below
+  const int* ends;     // behind its diagonal, with which it ends
+  const int* columns;  // ascending
+  const double* inertia;
+  const bool* quiet;  // rows
+  double* begun;      // inertia, with quiet rows eliminated
+  int* counted;       // of each block on a quiet row: whether `begun` has it in; and whether there is one yet
+  double* values;     // of the matrix, then of its factor
+  double* scratch;    // 7 x (size + 4)
+};
+
+Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks);
+
+void multiply_inertia(const Hessian& hessian, const double* vector, double* product);
+
+// For the present states of the constraints and their violation; the matrix is replaced by its factor.
+void factorize(const Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation);
+void solve(const Hessian& hessian, double* vector);
+
+}  // namespace mimo::solver

@@ -1,0 +1,20 @@
+// A physics step with a solver of our own for the forces of constraints: Newton's method with an exact line search, as
+// MuJoCo's. The same problem, the same steps and the same end, so the same numbers to rounding; what is ours is how the
+// matrix of a step is put together and factorised (docs/adr/0011-newton-solver.md).
+#pragma once
+
+#include <mujoco/mjdata.h>
+#include <mujoco/mjmodel.h>
+
+namespace mimo::solver {
+
+// Whether newton_step does all that mj_step would: a Newton solver with a sparse Jacobian and Euler's method, as the
+// built-in scenes ask for, and nothing out of the ordinary.
+bool newton_step_serves(const mjModel& model);
+
+// mj_step, with our solver in the place of mj_fwdConstraint. Like that it takes its room from mjData's stack, and
+// leaves by MuJoCo's error where that is too small. Not filled in are mjData.solver, its timers of stages within a
+// step, and the warnings of a solver that gets stuck; a matrix that is singular to rounding is solved all the same.
+void newton_step(const mjModel* model, mjData* data);
+
+}  // namespace mimo::solver
