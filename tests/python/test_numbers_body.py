@@ -184,7 +184,7 @@ def test_babybench_s_motors():
     parameters = mimo.Scene("babybench-base").parameters
     page.says("An episode starts with {} physics steps without control", parameters["selftouch/settle_steps"])
     page.says("then {} with random actions within their", parameters["selftouch/warm_up_steps"])
-    page.says("less than {} degrees beside the axis is looked at", np.rad2deg(parameters["handregard/angle"]))
+    page.says("is less than {} degrees beside the axis", np.rad2deg(parameters["handregard/angle"]))
 
 
 def test_parameters_of_tasks():
@@ -197,7 +197,7 @@ def test_parameters_of_tasks():
         within=1e-6,
     )
     page.says(
-        "* `success`: {} when the skin has touched the ball in {} steps in a row",
+        "* `success`: {} when the skin has touched the ball in {} consecutive steps",
         *(parameters[f"catch/{name}"] for name in ("success_reward", "hold_steps")),
     )
     page.says(
