@@ -16,10 +16,10 @@ class Prose:
 
     def text(self, doc: str, enum: str | None = None) -> str:
         """A comment; of something that takes constants of an enumeration, their short names in it are names, too."""
-        doc = re.sub(r"(?<!\w)_[A-Z][A-Z0-9_]+\b", lambda match: self.constant(f"MIMO{match[0]}", match[0]), doc)
         if enum:
             words = {self.api.enum(enum).word(name): name for name in self.api.enum(enum).constants}
             doc = re.sub(r"(?<!\w)_?([A-Z][A-Z0-9_]+)\b", lambda match: words.get(match[1], match[0]), doc)
+        doc = re.sub(r"(?<!\w)_[A-Z][A-Z0-9_]+\b", lambda match: self.constant(f"MIMO{match[0]}", match[0]), doc)
         return re.sub(r"\b(?:MIMO|mimo)_\w+", lambda match: self.name_of(match[0]), doc)
 
     def constant(self, full: str, short: str) -> str:

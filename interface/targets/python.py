@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import ast
+import functools
+import keyword
 import re
 import textwrap
 from pathlib import Path
+
+from targets import _prose
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "bindings/python/src/mimo"
@@ -26,15 +30,15 @@ NUMBERS = {
 
 # Classes of options: the struct, its members that are no options, and options with another name than their member.
 OPTIONS = {
-    "DocumentOptions": ("mimo_scene_config", ("name", "file", "xml", "model_dir"), {}),
+    "DocumentOptions": ("mimo_scene_config", ("name", "file", "xml", "model_dir", "log", "log_user"), {}),
     "GrowthOptions": ("mimo_growth", ("matures_apart",), {"model": "growth"}),
-    "InfantOptions": ("mimo_agent_config", (), {}),
-    "PhysicsOptions": ("mimo_env_config", ("task",), {}),
-    "SensesOptions": ("mimo_senses_config", ("mujoco_version", "model_size", "data_size"), {}),
+    "InfantOptions": ("mimo_agent_config", ("growth",), {}),
+    "PhysicsOptions": ("mimo_env_config", ("task", "log", "log_user"), {}),
+    "SensesOptions": ("mimo_senses_config", ("mujoco_version", "model_size", "data_size", "log", "log_user"), {}),
     "ObjectOptions": ("mimo_object_config", ("name",), {}),
     "ModelOptions": ("mimo_model_config", ("name",), {}),
     "CameraOptions": ("mimo_camera_config", ("name", "placed"), {}),
-    "FieldOptions": ("mimo_field_config", ("name", "element_count"), {}),
+    "FieldOptions": ("mimo_field_config", ("name", "elements", "element_count"), {}),
     "PictureOptions": ("mimo_picture_config", ("format",), {}),
     "LimitOptions": ("mimo_limits", (), {}),
     "RecorderOptions": ("mimo_recorder_config", (), {}),
@@ -45,6 +49,17 @@ TYPES = {
     "size": "Union[float, Numbers]",
 }
 
+# Classes with the methods of handles, and their modules.
+CLASSES = {
+    "scene": ("Scene", ("scene",)),
+    "env": ("World", ("world", "access", "geometry")),
+    "batch": ("Batch", ("batch", "access")),
+    "senses": ("Senses", ("senses",)),
+    "layout": ("Layout", ("layout",)),
+    "recorder": ("Recorder", ("recorder",)),
+    "recording": ("Recording", ("recordings",)),
+    "maturity": ("Maturity", ("maturity",)),
+}
 # Kinds whose elements have names, and the class of some of them.
 SELECTIONS = {
     "BODY": "Bodies",
@@ -78,17 +93,37 @@ def pascal(name):
     return "".join(part.capitalize() for part in name.removeprefix("mimo_").split("_"))
 
 
-def python_words(api, text, prefix="", quote=""):
-    """A comment of the header with Python's names of constants: Touch.FORCE for MIMO_TOUCH_FORCE."""
-    names = {}
+def python_name(api, name):
+    """A name of C in Python: Touch.FORCE, Scene.set_touch, PhysicsOptions; itself where Python has none."""
     for enum in api.enums:
-        for constant in enum.constants:
-            names[constant] = f"{quote}{prefix}{enum.name}.{enum.word(constant)}{quote}"
-        names.setdefault(enum.prefix, f"{quote}{prefix}{enum.name}{quote}")
+        if name == enum.prefix:
+            return enum.name
+        if name in enum.constants:
+            return f"{enum.name}.{enum.word(name)}"
+    if name in {it.name for it in alone(api)}:
+        return name.removeprefix("MIMO_")
+    if options := next((it for it, (struct, _, _) in OPTIONS.items() if struct == name), None):
+        return options
+    _, owner, method = f"{name}__".split("_", 2)
+    listed, methods = defined("scene"), {it: defined(*modules) for it, (_, modules) in CLASSES.items()}
+    if method == "name__" and f"{owner}s" in listed:  # mimo_face_name by index is a list
+        return f"{owner}s()"
+    method = method.rstrip("_")
+    return f"{CLASSES[owner][0]}.{method}" if method in methods.get(owner, ()) else name
+
+
+@functools.lru_cache(maxsize=None)
+def defined(*modules):
+    """Functions and methods of modules of the package."""
+    text = "".join((ROOT / PACKAGE / f"{module}.py").read_text(encoding="utf-8") for module in modules)
+    return set(re.findall(r"^ *def ([a-z]\w*)\(", text, re.MULTILINE))
+
+
+def python_words(api, text, enum=None, name_of=None):
+    """A comment of the header with Python's names and words."""
     text = re.sub(r"\b[Aa]n? (MIMO_\w+_) constant\b", r"One of \1", text)
-    text = re.sub(r"\bMIMO_[A-Z0-9_]+", lambda found: names.get(found[0], found[0]), text)
-    text = re.sub(r"\bNULL\b", "None", text)
-    return re.sub(r"(?<=[ (])_(?=[A-Z])", "", text)  # "MIMO_RESPONSE_NEAREST, _LINEAR"
+    text = _prose.Prose(api, name_of or (lambda name: python_name(api, name))).text(text, enum)
+    return re.sub(r"\bNULL\b", "None", text)
 
 
 def docstring(text, indent="    "):
@@ -288,7 +323,11 @@ def value_of(constant, as_bits):
 
 
 def documented(api, it, indent="    "):
-    return docstring(python_words(api, it.doc), indent)
+    """A constant's comment; names without their beginning ("_EYES") are of the same enumeration."""
+    prefix = api.enum(it.group).prefix if it.group else "MIMO_"
+    known = {one.name for one in api.constants}
+    full = re.sub(r"(?<!\w)_([A-Z]\w+)", lambda found: one if (one := prefix + found[1]) in known else found[0], it.doc)
+    return docstring(python_words(api, full), indent)
 
 
 def enum_class(api, enum):
@@ -304,27 +343,28 @@ def enum_class(api, enum):
 # ---- option_types.py -------------------------------------------------------------------------------------------------
 
 
-def is_option(member, left_out):
-    numbers = "*" in member.type and member.type != "const char *"
-    plain = not numbers and not member.type.endswith("_fn")
-    return plain and member.name != "struct_size" and "reserved" not in member.name and member.name not in left_out
-
-
 def option_rows(api, name):
     """The options of a class: name, and the member that it sets."""
     struct_name, left_out, renamed = OPTIONS[name]
     for member in api.struct(struct_name).members:
-        if is_option(member, left_out):
-            yield renamed.get(member.name, member.name), member
+        if member.name == "struct_size" or "reserved" in member.name or member.name in left_out:
+            continue
+        option, what = renamed.get(member.name, member.name), f"{struct_name}.{member.name}"
+        if member.type != "const char *" and number(api, member.type) is None:
+            raise ValueError(f"{what}, a {member.type}, is no option that Python can set; leave it out in OPTIONS")
+        yield usable(option, what), member
 
 
-def is_switch(member):
-    return member.type == "uint32_t" and member.enum is None and member.doc.startswith("1: ")
+def usable(name, what):
+    """A name that is none of Python's own words."""
+    if keyword.iskeyword(name):
+        raise ValueError(f"{what} would be {name!r} in Python, which is a keyword")
+    return name
 
 
 def option_doc(member):
     """A member's comment; of a switch with Python's words for 1 and 0."""
-    if not is_switch(member):
+    if not _prose.switch(member):
         return member.doc.replace(", if matures_apart is 1", "")  # Python sets that member itself
     text = re.sub(r"^1: ", "True: ", member.doc)
     return re.sub(r"\b0(?=(?: \(default\))?: )|(?<=Default )0\b", "False", text)
@@ -340,7 +380,7 @@ def option_type(api, name, member):
         return "Numbers"
     if member.type == "const char *":
         return "str"
-    if is_switch(member):
+    if _prose.switch(member):
         return "bool"
     return "float" if member.type == "double" else "int"
 
@@ -362,7 +402,8 @@ Bits = Union[OneOf[Choice], Sequence[OneOf[Choice]]]  # or several of these"""
 
 
 def options(api):
-    used = sorted({member.enum for name in OPTIONS for _, member in option_rows(api, name) if member.enum})
+    members = [member for name in OPTIONS for _, member in option_rows(api, name)]
+    used = sorted({member.enum for member in members if member.enum})
     imported = "\n".join(f"    {name}," for name in used)
     classes = [option_class(api, name) for name in OPTIONS]
     doc = "The options of scenes, infants, worlds, objects and pictures, as mimo.h documents them."
@@ -372,7 +413,8 @@ def options(api):
 def option_class(api, name):
     struct_name = OPTIONS[name][0]
     members = [
-        f"    {option}: {option_type(api, option, member)}\n{docstring(python_words(api, option_doc(member)))}"
+        f"    {option}: {option_type(api, option, member)}\n"
+        + docstring(python_words(api, option_doc(member), member.enum))
         for option, member in option_rows(api, name)
     ]
     doc = docstring(summarised(python_words(api, api.struct(struct_name).doc)))
@@ -400,7 +442,7 @@ def quantities_of(api, kind):
     for name in enum.constants:
         word = enum.word(name)
         if word.startswith(f"{kind}_"):
-            yield word.removeprefix(f"{kind}_").lower(), word, api.constant(name).doc
+            yield usable(word.removeprefix(f"{kind}_").lower(), name), word, api.constant(name).doc
 
 
 def is_writable(doc):
@@ -437,9 +479,11 @@ def sort(doc):
 
 def columns_of(api, kind):
     """What each thing without a name has: the attribute, what it is, how many numbers."""
-    for attribute, _, text in quantities_of(api, kind):
-        width, doc = re.fullmatch(r"[\w ]+: (\d+), (.*)", text, re.DOTALL).groups()
-        doc = python_words(api, doc)
+    for attribute, word, text in quantities_of(api, kind):
+        told = re.fullmatch(r"[\w ]+: (\d+), (.*)", text, re.DOTALL)
+        if told is None:
+            raise ValueError(f"MIMO_{word}: its comment does not begin with the kind and the number of its values")
+        width, doc = told[1], python_words(api, told[2])
         yield attribute, doc if re.match(r"(m|N|Nm|s|rad)\b", doc) else doc[0].upper() + doc[1:], int(width)
 
 
@@ -484,15 +528,21 @@ def blocks(api):
     }
 
 
-def cell(api, text):
+def cell(api, text, enum=None):
     """A comment as a cell of a table."""
-    text = python_words(api, text, "mimo.", "`").replace("|", "\\|")
-    text = re.sub(r"\bdocs/((?:\w+/)*)(\w+)\.md", r"[\2](\1\2.md)", text)
-    return re.sub(r"\bmimo_\w+", r"`\g<0>`", " ".join(text.split()))
+
+    def marked(name):
+        own = python_name(api, name)
+        return f"`{name}`" if own == name else f"`mimo.{own}`"
+
+    text = python_words(api, text, enum, marked).replace("|", "\\|")
+    return re.sub(r"\bdocs/((?:\w+/)*)(\w+)\.md", r"[\2](\1\2.md)", " ".join(text.split()))
 
 
 def option_table(api, name):
-    rows = [f"| `{option}` | {cell(api, option_doc(member))} |" for option, member in option_rows(api, name)]
+    rows = [
+        f"| `{option}` | {cell(api, option_doc(member), member.enum)} |" for option, member in option_rows(api, name)
+    ]
     return ["| option | what |", "|---|---|", *rows]
 
 

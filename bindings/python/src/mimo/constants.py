@@ -88,7 +88,7 @@ class Status(IntEnum):
     """A file cannot be written, or has the wrong content."""
 
     TASK = -14
-    """A custom task failed or returned invalid values; see mimo_env_step."""
+    """A custom task failed or returned invalid values; see World.step."""
 
     BUSY = -15
     """Not now: another thread uses the handle, or another call has to come first."""
@@ -181,19 +181,19 @@ class Mature(IntFlag):
     """Size, mass, strength and joints. 0 means this bit."""
 
     EYES = 0x2
-    """Its eyes' acuity and colour, by its physiological age: mimo_maturity_at."""
+    """Its eyes' acuity and colour, by its physiological age: Maturity.at."""
 
     DELAYS = 0x4
     """The delays of its nerves to and from the brain, by its physiological age."""
 
     THRESHOLD = 0x8
-    """With EYES: contrasts below the threshold disappear."""
+    """With Mature.EYES: contrasts below the threshold disappear."""
 
     FLICKER = 0x10
-    """With EYES: changes above the flicker limit are blurred."""
+    """With Mature.EYES: changes above the flicker limit are blurred."""
 
     ALL = 0x80000000
-    """All bits of the loaded library except THRESHOLD and FLICKER."""
+    """All bits of the loaded library except Mature.THRESHOLD and Mature.FLICKER."""
 
 
 class Proprioception(IntFlag):
@@ -601,7 +601,7 @@ class Kind(IntEnum):
     """Agents, by their index."""
 
     FACE = 12
-    """Faces that the model has; in built-in bodies in the order of mimo_face_name."""
+    """Faces that the model has; in built-in bodies in the order of faces()."""
 
     WORLD = 13
     """The world itself: id 0, without a name."""
@@ -664,8 +664,8 @@ class Quantity(IntEnum):
     """Joint: 1, for all its axes, Nms/rad or Ns/m, >= 0. Writable, W."""
 
     JOINT_LOCK = 519
-    """Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see
-    mimo_env_set. 0 and 0 where nothing could hold it.
+    """Joint: 2, 1 where it is held, else 0; and at which angle, rad. Writable, W, for hinges of infants; see World.set.
+    0 and 0 where nothing could hold it.
     """
 
     GEOM_POSITION = 769
@@ -725,7 +725,7 @@ class Quantity(IntEnum):
     ACTUATOR_FUSIMOTOR_DRIVE = 1540
     """Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
     pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
-    agent senses no spindles, Proprioception.SPINDLE_PRIMARY or SECONDARY. Writable.
+    agent senses no spindles, Proprioception.SPINDLE_PRIMARY or _SECONDARY. Writable.
     """
 
     SENSOR_VALUE = 1793
@@ -794,7 +794,7 @@ class Quantity(IntEnum):
     """Agent: see Quantity.AGENT_GOAL."""
 
     AGENT_AGE = 2820
-    """Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant."""
+    """Agent: 1, months, as GrowthOptions says: of size and mass. None where the agent is no infant."""
 
     AGENT_PHYSIOLOGICAL_AGE = 2821
     """Agent: 1, months, of strength, range of motion and tone; likewise."""
@@ -864,7 +864,7 @@ class Autoreset(IntEnum):
     """What a batch does when an episode ends."""
 
     NONE = 0
-    """Worlds continue after the end of an episode, until mimo_batch_reset."""
+    """Worlds continue after the end of an episode, until Batch.reset."""
 
     NEXT_STEP = 1
     """The step after the end of an episode starts a new one instead of acting: its reward, flags, outcome and terms are

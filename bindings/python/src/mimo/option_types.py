@@ -72,7 +72,7 @@ class DocumentOptions(TypedDict, total=False):
 class GrowthOptions(TypedDict, total=False):
     """The age, size and strength of an infant.
 
-    The member `growth` of mimo_agent_config, None for the body of 18 months. It determines lengths, girths, masses and
+    The member `growth` of InfantOptions, None for the body of 18 months. It determines lengths, girths, masses and
     inertias, eyes and cameras, skin, strength, and the range, stiffness, damping and friction of joints. The infant
     starts in the same pose, within the range of its joints; its lowest point is where it would be at 18 months. All
     defaults give that body, to the last bit. Objects and rooms do not change; docs/tasks.md says how tasks adapt.
@@ -141,7 +141,7 @@ class InfantOptions(TypedDict, total=False):
 
     - reads the positions of its hinges and slides, its motors, and the torque sensors on it;
     - acts with its actuators, within their ctrlrange (no bounds where they have none);
-    - has skin where mimo_scene_set_touch says so, and nowhere else;
+    - has skin where Scene.set_touch says so, and nowhere else;
     - sees with all cameras that it carries, "vision/NAME";
     - has a vestibular organ at vestibular_at;
     - has no face, no gaze and no reflexes; its task is "none" or a custom one.
@@ -161,18 +161,18 @@ class InfantOptions(TypedDict, total=False):
     """
 
     position: Numbers
-    """Of the point selected by place, m, world frame; unused with PLACE_SCENE."""
+    """Of the point selected by place, m, world frame; unused with Place.SCENE."""
 
     orientation: Numbers
     """Of the root body, w x y z; need not be normalised."""
 
     proprioception: Bits[Proprioception]
-    """Proprioception bits; 0: no proprioception. Default, as the original: VELOCITY, TORQUE, LIMIT, ACTUATION and
-    POSITION.
+    """Proprioception bits; 0: no proprioception. Default, as the original: Proprioception.VELOCITY,
+    Proprioception.TORQUE, Proprioception.LIMIT, Proprioception.ACTUATION and Proprioception.POSITION.
     """
 
     vestibular: Bits[Vestibular]
-    """Vestibular bits; 0: no sense of balance. Default: ACCELERATION and ANGULAR_VELOCITY."""
+    """Vestibular bits; 0: no sense of balance. Default: Vestibular.ACCELERATION and Vestibular.ANGULAR_VELOCITY."""
 
     limit_threshold: float
     """Distance from a joint's limit at which limit sensors start, radians, > 0. Default 0.035."""
@@ -194,7 +194,7 @@ class InfantOptions(TypedDict, total=False):
 
     vision_foveation: float
     """L, 0.01 to 100: colour pictures show their middle L / ln(1 + L) times as large and their rim smaller; 0
-    (default): as drawn. See mimo_layout_directions.
+    (default): as drawn. See Layout.directions.
     """
 
     acts: Bits[Act]
@@ -207,10 +207,10 @@ class InfantOptions(TypedDict, total=False):
     """Touch output bits; 0: no touch. Default Touch.FORCE."""
 
     touch_response: OneOf[TouchResponse]
-    """One of TouchResponse: how a touch spreads over sensors. Default LINEAR."""
+    """One of TouchResponse: how a touch spreads over sensors. Default TouchResponse.LINEAR."""
 
     touch_frame: OneOf[TouchFrame]
-    """One of TouchFrame: of touch/force with three components. Default BODY."""
+    """One of TouchFrame: of touch/force with three components. Default TouchFrame.BODY."""
 
     reflexes: Bits[Reflex]
     """Reflex bits; adds the field reflex/activation; 0 (default): none."""
@@ -222,7 +222,7 @@ class InfantOptions(TypedDict, total=False):
     """Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005."""
 
     face: str
-    """Its first face, see mimo_face_name; None: neutral."""
+    """Its first face, see faces(); None: neutral."""
 
     root: str
     """With body "scene": the body of the model that, with its children, is the agent; "world": the whole model. None:
@@ -265,7 +265,7 @@ class PhysicsOptions(TypedDict, total=False):
     """Steps after which an episode is truncated; 0: the task's parameter episode_steps."""
 
     timing: bool
-    """True: enables mimo_env_timing; costs a few clock reads per step."""
+    """True: enables World.timing; costs a few clock reads per step."""
 
     render: Bits[Render]
     """Render bits: effects that pictures show; the others cost nothing. Default: all except fog."""
@@ -288,21 +288,21 @@ class SensesOptions(TypedDict, total=False):
     """The host's MuJoCo, and the settings of the senses."""
 
     step: float
-    """Seconds between two calls of mimo_senses_advance, > 0; 0 (default): the model's time step, one call per mj_step.
-    Every call advances all memories by this time: delays, nerves, skin, canals, sound.
+    """Seconds between two calls of Senses.advance, > 0; 0 (default): the model's time step, one call per mj_step. Every
+    call advances all memories by this time: delays, nerves, skin, canals, sound.
     """
 
     renderer: str
-    """As in mimo_env_config."""
+    """As in PhysicsOptions."""
 
     render: Bits[Render]
-    """Render bits, as in mimo_env_config."""
+    """Render bits, as in PhysicsOptions."""
 
     samples: int
-    """Samples per pixel, as in mimo_env_config."""
+    """Samples per pixel, as in PhysicsOptions."""
 
     render_threads: int
-    """Threads for one picture, as in mimo_env_config."""
+    """Threads for one picture, as in PhysicsOptions."""
 
 
 class ObjectOptions(TypedDict, total=False):
@@ -378,14 +378,14 @@ class CameraOptions(TypedDict, total=False):
 class FieldOptions(TypedDict, total=False):
     """A further field of the observation, of type FieldType.F32.
 
-    A quantity of chosen elements of the scene, which mimo_env_get would read otherwise. Its shape is elements x values
-    of each; (elements) where each has one value; one axis of all values where their numbers differ; for a MIMO_WORLD_
+    A quantity of chosen elements of the scene, which World.get would read otherwise. Its shape is elements x values of
+    each; (elements) where each has one value; one axis of all values where their numbers differ; for a MIMO_WORLD_
     quantity its values.
     """
 
     quantity: OneOf[Quantity]
     """A quantity of access.h, except of contacts, whose number varies. Poses and velocities of bodies belong to the
-    start of the last physics step, with MIMO_NOW to the end of the step.
+    start of the last physics step, with NOW to the end of the step.
     """
 
     relative_to: Optional[str]
@@ -422,7 +422,7 @@ class PictureOptions(TypedDict, total=False):
     """Vertical field of view, degrees; 0: the camera's own."""
 
     foveation: float
-    """As vision_foveation of mimo_agent_config, for colour and projected points. Default 0."""
+    """As vision_foveation of InfantOptions, for colour and projected points. Default 0."""
 
 
 class LimitOptions(TypedDict, total=False):

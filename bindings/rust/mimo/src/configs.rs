@@ -622,7 +622,7 @@ impl AgentConfig {
     }
 
     /// A [`TouchFrame`](crate::TouchFrame) constant: of touch/force with three components. Default
-    /// [`Kind::BODY`](crate::Kind::BODY).
+    /// [`TouchFrame::BODY`](crate::TouchFrame::BODY).
     pub fn touch_frame(&mut self, touch_frame: TouchFrame) -> &mut Self {
         self.raw.touch_frame = touch_frame.raw();
         self
