@@ -322,11 +322,17 @@ def value_of(constant, as_bits):
     return hex(constant.value) if as_bits else str(constant.value)
 
 
+def described(thing):
+    """A comment that says of what is experimental that it is, without a paragraph of its own."""
+    return _prose.described(thing).replace("\n\nExperimental.", " Experimental.")
+
+
 def documented(api, it, indent="    "):
     """A constant's comment; names without their beginning ("_EYES") are of the same enumeration."""
     prefix = api.enum(it.group).prefix if it.group else "MIMO_"
     known = {one.name for one in api.constants}
-    full = re.sub(r"(?<!\w)_([A-Z]\w+)", lambda found: one if (one := prefix + found[1]) in known else found[0], it.doc)
+    text = described(it)
+    full = re.sub(r"(?<!\w)_([A-Z]\w+)", lambda found: one if (one := prefix + found[1]) in known else found[0], text)
     return docstring(python_words(api, full), indent)
 
 
@@ -365,8 +371,8 @@ def usable(name, what):
 def option_doc(member):
     """A member's comment; of a switch with Python's words for 1 and 0."""
     if not _prose.switch(member):
-        return member.doc.replace(", if matures_apart is 1", "")  # Python sets that member itself
-    text = re.sub(r"^1: ", "True: ", member.doc)
+        return described(member).replace(", if matures_apart is 1", "")  # Python sets that member itself
+    text = re.sub(r"^1: ", "True: ", described(member))
     return re.sub(r"\b0(?=(?: \(default\))?: )|(?<=Default )0\b", "False", text)
 
 
@@ -417,7 +423,7 @@ def option_class(api, name):
         + docstring(python_words(api, option_doc(member), member.enum))
         for option, member in option_rows(api, name)
     ]
-    doc = docstring(summarised(python_words(api, api.struct(struct_name).doc)))
+    doc = docstring(summarised(python_words(api, described(api.struct(struct_name)))))
     return f"class {name}(TypedDict, total=False):\n" + "\n\n".join([doc, *members])
 
 

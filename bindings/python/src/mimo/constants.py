@@ -108,28 +108,28 @@ class WarningCode(IntEnum):
     """What physics warns of; also the ids of Kind.WARNING."""
 
     CONTACTS_DROPPED = 1
-    """More contacts than the model's nconmax: some are missing."""
+    """More contacts than the model's nconmax: some are missing. Experimental."""
 
     CONSTRAINTS_DROPPED = 2
-    """More constraints than the model's njmax: some are missing."""
+    """More constraints than the model's njmax: some are missing. Experimental."""
 
     BAD_POSITION = 3
-    """A position is not a number, or huge: the world has failed."""
+    """A position is not a number, or huge: the world has failed. Experimental."""
 
     BAD_VELOCITY = 4
-    """The same for a velocity."""
+    """The same for a velocity. Experimental."""
 
     BAD_ACCELERATION = 5
-    """The same for an acceleration."""
+    """The same for an acceleration. Experimental."""
 
     BAD_CONTROL = 6
-    """A control is not a number, or huge: the step used 0 for all controls."""
+    """A control is not a number, or huge: the step used 0 for all controls. Experimental."""
 
     INERTIA = 7
-    """The inertia matrix is nearly singular."""
+    """The inertia matrix is nearly singular. Experimental."""
 
     NOT_CONVERGED = 8
-    """The solver stopped at its last iteration; counted, not logged."""
+    """The solver stopped at its last iteration; counted, not logged. Experimental."""
 
 
 class Shape(IntEnum):
@@ -168,32 +168,32 @@ class GrowthModel(IntEnum):
     """By which rules infants grow."""
 
     WHO = 0
-    """The WHO's child growth standards and measured infants: docs/guide/growth.md."""
+    """The WHO's child growth standards and measured infants: docs/guide/growth.md. Experimental."""
 
     ORIGINAL = 1
-    """The rules of MIMo's second version, for comparison."""
+    """The rules of MIMo's second version, for comparison. Experimental."""
 
 
 class Mature(IntFlag):
     """What of an infant is as old as the infant."""
 
     BODY = 0x1
-    """Size, mass, strength and joints. 0 means this bit."""
+    """Size, mass, strength and joints. 0 means this bit. Experimental."""
 
     EYES = 0x2
-    """Its eyes' acuity and colour, by its physiological age: Maturity.at."""
+    """Its eyes' acuity and colour, by its physiological age: Maturity.at. Experimental."""
 
     DELAYS = 0x4
-    """The delays of its nerves to and from the brain, by its physiological age."""
+    """The delays of its nerves to and from the brain, by its physiological age. Experimental."""
 
     THRESHOLD = 0x8
-    """With Mature.EYES: contrasts below the threshold disappear."""
+    """With Mature.EYES: contrasts below the threshold disappear. Experimental."""
 
     FLICKER = 0x10
-    """With Mature.EYES: changes above the flicker limit are blurred."""
+    """With Mature.EYES: changes above the flicker limit are blurred. Experimental."""
 
     ALL = 0x80000000
-    """All bits of the loaded library except Mature.THRESHOLD and Mature.FLICKER."""
+    """All bits of the loaded library except Mature.THRESHOLD and Mature.FLICKER. Experimental."""
 
 
 class Proprioception(IntFlag):
@@ -222,17 +222,17 @@ class Proprioception(IntFlag):
 
     SPINDLE_PRIMARY = 0x80
     """Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
-    proprioception/spindle_primary, two muscles per motor: Ia.
+    proprioception/spindle_primary, two muscles per motor: Ia. Experimental.
     """
 
     SPINDLE_SECONDARY = 0x100
-    """proprioception/spindle_secondary, the same shape: II."""
+    """proprioception/spindle_secondary, the same shape: II. Experimental."""
 
     TENDON_ORGAN = 0x200
-    """proprioception/tendon_organ, the same shape: Ib."""
+    """proprioception/tendon_organ, the same shape: Ib. Experimental."""
 
     JOINT_RECEPTOR = 0x400
-    """proprioception/joint_receptor, joints x 2: near its ends."""
+    """proprioception/joint_receptor, joints x 2: near its ends. Experimental."""
 
     ALL = 0x80000000
     """All bits of the loaded library."""
@@ -261,23 +261,23 @@ class Vestibular(IntFlag):
     """vestibular/angular_velocity, 3, rad/s."""
 
     CANALS = 0x4
-    """vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md."""
+    """vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md. Experimental."""
 
     OTOLITHS = 0x8
-    """vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md."""
+    """vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md. Experimental."""
 
     GRAVITY = 0x10
-    """vestibular/gravity, 3, m/s^2: the estimated direction of up."""
+    """vestibular/gravity, 3, m/s^2: the estimated direction of up. Experimental."""
 
 
 class Hearing(IntFlag):
     """What both ears hear."""
 
     EARS = 0x1
-    """hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa."""
+    """hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa. Experimental."""
 
     BANDS = 0x2
-    """hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s."""
+    """hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s. Experimental."""
 
 
 class Place(IntEnum):
@@ -369,32 +369,32 @@ class Reflex(IntFlag):
 
     PALMAR_GRASP = 0x1
     """Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. Fingers
-    close on pressure on the palm; needs five fingers.
+    close on pressure on the palm; needs five fingers. Experimental.
     """
 
     PLANTAR_GRASP = 0x2
-    """Toes curl on pressure on the ball of the foot."""
+    """Toes curl on pressure on the ball of the foot. Experimental."""
 
     ROOTING = 0x4
-    """The head turns towards a touch at a corner of the mouth."""
+    """The head turns towards a touch at a corner of the mouth. Experimental."""
 
     MORO = 0x8
-    """The head drops: arms open, then close."""
+    """The head drops: arms open, then close. Experimental."""
 
     ASYMMETRIC_TONIC_NECK = 0x10
-    """The head turns: limbs stretch on that side, bend on the other."""
+    """The head turns: limbs stretch on that side, bend on the other. Experimental."""
 
     STEPPING = 0x20
-    """Upright on its feet, leaning forward: legs step in turn."""
+    """Upright on its feet, leaning forward: legs step in turn. Experimental."""
 
     WITHDRAWAL = 0x40
-    """Legs draw back from a touch or a prick."""
+    """Legs draw back from a touch or a prick. Experimental."""
 
     FELT = 0x40000000
-    """reflex/activation has all reflexes that this body can show."""
+    """reflex/activation has all reflexes that this body can show. Experimental."""
 
     ALL = 0x80000000
-    """All reflexes of the loaded library that this body can show."""
+    """All reflexes of the loaded library that this body can show. Experimental."""
 
 
 class Touch(IntFlag):
@@ -414,35 +414,35 @@ class Touch(IntFlag):
 
     SA1 = 0x10
     """Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise; off by default.
-    touch/sa1: depth of indentation.
+    touch/sa1: depth of indentation. Experimental.
     """
 
     RA = 0x20
-    """touch/ra: speed of indentation, and sliding."""
+    """touch/ra: speed of indentation, and sliding. Experimental."""
 
     PC = 0x40
-    """touch/pc: jolts and vibration, as an envelope."""
+    """touch/pc: jolts and vibration, as an envelope. Experimental."""
 
     SA2 = 0x80
-    """touch/sa2, N x 2: stretch along the sensor's two tangents."""
+    """touch/sa2, N x 2: stretch along the sensor's two tangents. Experimental."""
 
     TEMPERATURE = 0x100
-    """touch/temperature: of the skin's surface, degrees Celsius."""
+    """touch/temperature: of the skin's surface, degrees Celsius. Experimental."""
 
     COLD = 0x200
-    """touch/cold."""
+    """touch/cold. Experimental."""
 
     WARM = 0x400
-    """touch/warm."""
+    """touch/warm. Experimental."""
 
     NOCICEPTION_FAST = 0x800
-    """touch/nociception_fast: pricks and heat, at once."""
+    """touch/nociception_fast: pricks and heat, at once. Experimental."""
 
     NOCICEPTION_SLOW = 0x1000
-    """touch/nociception_slow: pricks, heat and cold, late and lasting."""
+    """touch/nociception_slow: pricks, heat and cold, late and lasting. Experimental."""
 
     UNITS = 0x2000
-    """touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor."""
+    """touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor. Experimental."""
 
 
 class TouchResponse(IntEnum):
@@ -510,13 +510,13 @@ class Jacobian(IntEnum):
     """How constraints are solved: the same solution to rounding."""
 
     MODEL = 0
-    """The model's setting; built-in scenes use sparse."""
+    """The model's setting; built-in scenes use sparse. Experimental."""
 
     DENSE = 1
-    """The original's solver, for comparing trajectories to the last digit."""
+    """The original's solver, for comparing trajectories to the last digit. Experimental."""
 
     SPARSE = 2
-    """The same solution up to rounding, about twice as fast."""
+    """The same solution up to rounding, about twice as fast. Experimental."""
 
 
 class Disable(IntFlag):
@@ -529,26 +529,26 @@ class Disable(IntFlag):
     """No gravity."""
 
     OWN_SOLVER = 0x4
-    """MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower."""
+    """MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower. Experimental."""
 
 
 class Render(IntFlag):
     """What pictures show; what is left out costs nothing."""
 
     SHADOWS = 0x1
-    """Lights cast shadows."""
+    """Lights cast shadows. Experimental."""
 
     REFLECTIONS = 0x2
-    """Floors and boxes may mirror the scene."""
+    """Floors and boxes may mirror the scene. Experimental."""
 
     SKY = 0x4
-    """The scene's sky; without it the background is black."""
+    """The scene's sky; without it the background is black. Experimental."""
 
     HAZE = 0x8
-    """Haze at the horizon of an endless floor."""
+    """Haze at the horizon of an endless floor. Experimental."""
 
     FOG = 0x10
-    """Fog, as the scene's MJCF describes it."""
+    """Fog, as the scene's MJCF describes it. Experimental."""
 
 
 class Outcome(IntEnum):
@@ -607,7 +607,7 @@ class Kind(IntEnum):
     """The world itself: id 0, without a name."""
 
     WARNING = 14
-    """Kinds of warnings: the ids are WarningCode constants, 0 is any other one."""
+    """Kinds of warnings: the ids are WarningCode constants, 0 is any other one. Experimental."""
 
 
 class Quantity(IntEnum):
@@ -642,7 +642,7 @@ class Quantity(IntEnum):
 
     BODY_NERVE_LENGTH = 264
     """Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
-    their way; 0 for what is no part of one.
+    their way; 0 for what is no part of one. Experimental.
     """
 
     JOINT_POSITION = 513
@@ -725,7 +725,7 @@ class Quantity(IntEnum):
     ACTUATOR_FUSIMOTOR_DRIVE = 1540
     """Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
     pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
-    agent senses no spindles, Proprioception.SPINDLE_PRIMARY or _SECONDARY. Writable.
+    agent senses no spindles, Proprioception.SPINDLE_PRIMARY or _SECONDARY. Writable. Experimental.
     """
 
     SENSOR_VALUE = 1793
@@ -797,14 +797,14 @@ class Quantity(IntEnum):
     """Agent: 1, months, as GrowthOptions says: of size and mass. None where the agent is no infant."""
 
     AGENT_PHYSIOLOGICAL_AGE = 2821
-    """Agent: 1, months, of strength, range of motion and tone; likewise."""
+    """Agent: 1, months, of strength, range of motion and tone; likewise. Experimental."""
 
     WORLD_GRAVITY = 3329
     """World: 3, m/s^2, world frame. Writable, W."""
 
     WARNING_STEPS = 3585
     """Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
-    with 0, to count anew.
+    with 0, to count anew. Experimental.
     """
 
 
@@ -831,23 +831,23 @@ class TextureType(IntEnum):
     """How a texture's pixels are arranged."""
 
     FLAT = 0
-    """One picture, repeated beyond its edges."""
+    """One picture, repeated beyond its edges. Experimental."""
 
     CUBE = 1
-    """Six square pictures, one above the other; texcoords of meshes refer to them."""
+    """Six square pictures, one above the other; texcoords of meshes refer to them. Experimental."""
 
     SKY = 2
-    """A cube around the scene: right, left, up, down, front, back from inside."""
+    """A cube around the scene: right, left, up, down, front, back from inside. Experimental."""
 
 
 class Look(IntEnum):
     """What turns to look at a point."""
 
     EYES = 0
-    """Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down."""
+    """Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down. Experimental."""
 
     HEAD = 1
-    """The head turns first, the eyes turn the rest."""
+    """The head turns first, the eyes turn the rest. Experimental."""
 
 
 class PictureFormat(IntFlag):
@@ -884,4 +884,4 @@ asking. For poses, positions, orientations, centres of mass and velocities, and 
 
 
 HEADLIGHT = -1
-"""The light that every camera carries."""
+"""The light that every camera carries. Experimental."""

@@ -88,10 +88,10 @@ class GrowthOptions(TypedDict, total=False):
     """Age in months, 0 (a newborn) to 24, for size and mass. Default 18."""
 
     physiological_age: float
-    """Months, 0 to 24, for strength, range of motion and tone."""
+    """Months, 0 to 24, for strength, range of motion and tone. Experimental."""
 
     growth: OneOf[GrowthModel]
-    """One of GrowthModel. Default GrowthModel.WHO."""
+    """One of GrowthModel. Default GrowthModel.WHO. Experimental."""
 
     z_length: float
     """Its length in standard deviations from the median of age and sex, -3 to 3."""
@@ -107,30 +107,32 @@ class GrowthOptions(TypedDict, total=False):
 
     strength_exponent: float
     """A muscle's strength per cross-section is proportional to this power of the median length at the physiological
-    age, 0 to 5; 0: equal at all ages. Default 1.7.
+    age, 0 to 5; 0: equal at all ages. Default 1.7. Experimental.
     """
 
     neck_strength: float
-    """Factor of the neck's strength at its age, 0 to 10. Default 1."""
+    """Factor of the neck's strength at its age, 0 to 10. Default 1. Experimental."""
 
     birth_tone: float
-    """Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5."""
+    """Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5. Experimental."""
 
     contracture: float
-    """Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to 1. Default 1."""
+    """Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to 1. Default 1.
+    Experimental.
+    """
 
     absolute: bool
     """True: length and weight are the WHO's; False (default): they are the WHO's relative to the body of 18 months,
-    which is 4.5 % shorter and 3 % heavier than the median.
+    which is 4.5 % shorter and 3 % heavier than the median. Experimental.
     """
 
     keep_spacing: bool
     """True: touch sensors keep the spacing of 18 months, so a smaller body has fewer; False (default): their number
-    stays and their spacing grows with the body.
+    stays and their spacing grows with the body. Experimental.
     """
 
     maturity: Bits[Mature]
-    """Mature bits; 0 (default): Mature.BODY."""
+    """Mature bits; 0 (default): Mature.BODY. Experimental."""
 
 
 class InfantOptions(TypedDict, total=False):
@@ -213,7 +215,7 @@ class InfantOptions(TypedDict, total=False):
     """One of TouchFrame: of touch/force with three components. Default TouchFrame.BODY."""
 
     reflexes: Bits[Reflex]
-    """Reflex bits; adds the field reflex/activation; 0 (default): none."""
+    """Reflex bits; adds the field reflex/activation; 0 (default): none. Experimental."""
 
     touch_scale: float
     """Divides the distances between sensors: 2 gives 4 times as many. Default 1."""
@@ -233,12 +235,12 @@ class InfantOptions(TypedDict, total=False):
     """Site or body whose motion the vestibular sense feels; None: the infant's head."""
 
     hearing: Bits[Hearing]
-    """Hearing bits; 0 (default): no hearing."""
+    """Hearing bits; 0 (default): no hearing. Experimental."""
 
     voice: bool
     """True: an infant's voice, with four actions after the motors' actions: "voice:loudness", 0 (silent) to 1 (a cry);
     "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and "voice:front", 0.7 to 1.3 times the first and second formant
-    of its age. Every agent with hearing hears it, see docs/guide/hearing.md. False (default): no voice.
+    of its age. Every agent with hearing hears it, see docs/guide/hearing.md. False (default): no voice. Experimental.
     """
 
 
@@ -251,7 +253,7 @@ class PhysicsOptions(TypedDict, total=False):
     """
 
     jacobian: OneOf[Jacobian]
-    """One of Jacobian."""
+    """One of Jacobian. Experimental."""
 
     disable: Bits[Disable]
     """Disable bits."""
@@ -265,10 +267,10 @@ class PhysicsOptions(TypedDict, total=False):
     """Steps after which an episode is truncated; 0: the task's parameter episode_steps."""
 
     timing: bool
-    """True: enables World.timing; costs a few clock reads per step."""
+    """True: enables World.timing; costs a few clock reads per step. Experimental."""
 
     render: Bits[Render]
-    """Render bits: effects that pictures show; the others cost nothing. Default: all except fog."""
+    """Render bits: effects that pictures show; the others cost nothing. Default: all except fog. Experimental."""
 
     samples: int
     """Samples per pixel for smooth edges: 1, 4, 16 or 64 (OpenGL may use fewer); 0: one ray, or the model's setting for
@@ -296,7 +298,7 @@ class SensesOptions(TypedDict, total=False):
     """As in PhysicsOptions."""
 
     render: Bits[Render]
-    """Render bits, as in PhysicsOptions."""
+    """Render bits, as in PhysicsOptions. Experimental."""
 
     samples: int
     """Samples per pixel, as in PhysicsOptions."""
@@ -451,7 +453,7 @@ class LimitOptions(TypedDict, total=False):
 
 
 class RecorderOptions(TypedDict, total=False):
-    """What is recorded, and how."""
+    """What is recorded, and how. Experimental."""
 
     compression: int
     """0 for none to 9 for the smallest file. Default 4."""
