@@ -1,6 +1,13 @@
 # libmimo.so: the objects of all rooms, with nothing but mimo_* visible from outside.
 set(exports ${PROJECT_SOURCE_DIR}/src/capi/exports.map)
 
+# A library for another MuJoCo has another name: both can be installed, and a program that is linked with one never loads
+# the other.
+set(MIMO_LIBRARY_NAME mimo)
+if(mujoco_VERSION VERSION_GREATER_EQUAL 4)
+  set(MIMO_LIBRARY_NAME mimo-mujoco4)
+endif()
+
 add_library(mimo SHARED)
 add_library(mimo::mimo ALIAS mimo)
 mimo_link_room(mimo capi)
@@ -8,7 +15,7 @@ target_include_directories(mimo PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/i
                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # A MuJoCo beside the library comes before the system's, wherever the two are: ./dev build --avx, and copies in a host's
 # folder.
-set_target_properties(mimo PROPERTIES LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
+set_target_properties(mimo PROPERTIES OUTPUT_NAME ${MIMO_LIBRARY_NAME} LINKER_LANGUAGE CXX LINK_DEPENDS ${exports}
                       SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION})
 if(WIN32)
   include(MimoWindows)
@@ -16,7 +23,7 @@ elseif(APPLE)
   # What it needs lies beside it, and it says its name for those that it lies beside. Off a Mac, CMake's own properties for
   # this do nothing.
   target_link_options(mimo PRIVATE -Wl,-dead_strip -Wl,-rpath,@loader_path
-                      -Wl,-install_name,@rpath/libmimo.dylib)
+                      -Wl,-install_name,@rpath/lib${MIMO_LIBRARY_NAME}.dylib)
   set_target_properties(mimo PROPERTIES NO_SONAME ON SKIP_BUILD_RPATH ON MACHO_CURRENT_VERSION ${MIMO_VERSION})
 else()
   # Bound when loaded: else a MuJoCo that the host loads later, of another version, could be given to us in the middle.

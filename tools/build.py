@@ -71,7 +71,7 @@ def build_mujoco4():
     build("mujoco4", *PROGRAM)
     IN_USE.touch()
     made = ROOT / "build-mujoco4"
-    for file in [*made.glob("lib/libmimo.so*"), *made.glob("lib/libmujoco.so*"), made / "bin/mimo"]:
+    for file in [*made.glob("lib/libmimo-mujoco4.so*"), *made.glob("lib/libmujoco.so*"), made / "bin/mimo"]:
         place = BUILD / file.relative_to(made)
         place.parent.mkdir(parents=True, exist_ok=True)
         place.unlink(missing_ok=True)
@@ -81,7 +81,7 @@ def build_mujoco4():
 def leave_mujoco4():
     """Removes these copies; the next build makes its own files again."""
     if IN_USE.exists():
-        for file in [*BUILD.glob("lib/libmimo.so*"), *BUILD.glob("lib/libmujoco.so.4*"), BUILD / "bin/mimo", IN_USE]:
+        for file in [*BUILD.glob("lib/libmimo-mujoco4.so*"), *BUILD.glob("lib/libmujoco.so.4*"), BUILD / "bin/mimo", IN_USE]:
             file.unlink(missing_ok=True)
 
 

@@ -76,8 +76,8 @@ def wheel_for_mujoco4():
     licences(linux, folder)
     for file in folder.glob("mujoco*"):
         file.unlink()
-    copy([ROOT / "build-linux-mujoco4/lib/libmimo.so.1"], fresh(native))
-    run("patchelf", "--set-rpath", "$ORIGIN/../mujoco", native / "libmimo.so.1")
+    copy([ROOT / "build-linux-mujoco4/lib/libmimo-mujoco4.so.1"], fresh(native))
+    run("patchelf", "--set-rpath", "$ORIGIN/../mujoco", native / "libmimo-mujoco4.so.1")
     make_wheel("bindings/python-mujoco4", native, folder, linux.wheel_tag)
 
 

@@ -6,7 +6,7 @@
 All take turns in one process, with the same random controls; a step is two physics steps (10 ms). Medians over turns, in
 steps of a world a second. Needs MuJoCo's Python package, and libmimo for the same version of it:
 
-    PYTHONPATH=bindings/python/src MIMO_LIBRARY=build-mujoco4/lib/libmimo.so tests/bench/rollout.py
+    PYTHONPATH=bindings/python/src MIMO_LIBRARY=build-mujoco4/lib/libmimo-mujoco4.so tests/bench/rollout.py
 """
 import os
 import statistics

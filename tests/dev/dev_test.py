@@ -115,14 +115,14 @@ class Dev(unittest.TestCase):
         fetched = self.clone / "build/mujoco4/mujoco"
         fetched.mkdir(parents=True)
         (fetched / "libmujoco.so.4.0.1").touch()
-        for file in ("lib/libmimo.so.1", "bin/mimo"):
+        for file in ("lib/libmimo-mujoco4.so.1", "bin/mimo"):
             for folder, text in (("build", "2.2"), ("build-mujoco4", "4.0")):
                 (self.clone / folder / file).parent.mkdir(parents=True, exist_ok=True)
                 (self.clone / folder / file).write_text(text)
         done = self.dev("build", "--mujoco", "4")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("--build --preset mujoco4 --target mimo mimo_program", self.calls("cmake"))
-        ours = [self.clone / "build/lib/libmimo.so.1", self.clone / "build/bin/mimo"]
+        ours = [self.clone / "build/lib/libmimo-mujoco4.so.1", self.clone / "build/bin/mimo"]
         self.assertEqual([file.read_text() for file in ours], ["4.0", "4.0"])
         self.assertEqual(self.dev("build").returncode, 0)
         self.assertEqual([file.exists() for file in ours], [False, False])  # so that they are made again

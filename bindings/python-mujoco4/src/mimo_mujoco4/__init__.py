@@ -3,4 +3,4 @@
 from pathlib import Path
 
 MUJOCO = "4.0.1"
-LIBRARY = Path(__file__).resolve().parent / "libmimo.so.1"
+LIBRARY = Path(__file__).resolve().parent / "libmimo-mujoco4.so.1"
