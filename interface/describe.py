@@ -35,6 +35,7 @@ GENERATE_LATEX = NO
 GENERATE_XML = YES
 XML_PROGRAMLISTING = NO
 OPTIMIZE_OUTPUT_FOR_C = YES
+RECURSIVE = YES
 EXTRACT_ALL = YES
 MARKDOWN_SUPPORT = NO
 AUTOLINK_SUPPORT = NO
@@ -152,7 +153,7 @@ class Reader:
         return xml.parse(self.folder / f"{name}.xml").getroot().find("compounddef")
 
     def header(self, chapter):
-        node = self.parse(chapter.replace("_", "__").replace(".", "_8"))
+        node = self.parse(Path(chapter).name.replace("_", "__").replace(".", "_8"))
         self.data["headers"].append({"name": chapter, "doc": comment(node, chapter)})
         structs = {words(inner): inner.get("refid") for inner in node.iterfind("innerclass")}
         for member in sorted(
@@ -299,16 +300,18 @@ class Reader:
 
 
 def chapters(headers):
-    """The headers in the order in which they are read."""
-    return re.findall(r'^#include "(\w+\.h)"', (headers / "mimo.h").read_text(), flags=re.MULTILINE)
+    """The headers in the order in which they are read: the promised ones, then those of experimental/."""
+    both = "".join((headers / name).read_text(encoding="utf-8") for name in ("mimo.h", "experimental.h"))
+    return re.findall(r'^#include "((?:experimental/)?\w+\.h)"', both.replace('#include "mimo.h"', ""), re.MULTILINE)
 
 
 def read_headers(headers, folder):
     """What Doxygen finds in the headers, as XML."""
     copies = Path(folder) / "mimo"
-    copies.mkdir()
-    for header in headers.glob("*.h"):
-        (copies / header.name).write_text(prepare(header.read_text(encoding="utf-8")), encoding="utf-8")
+    for header in headers.rglob("*.h"):
+        copy = copies / header.relative_to(headers)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        copy.write_text(prepare(header.read_text(encoding="utf-8")), encoding="utf-8")
     settings = DOXYFILE.format(headers=copies, out=folder)
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
     return Path(folder) / "xml"

@@ -36,18 +36,15 @@ def group(data, notes):
     claimed = {name for enum in notes["enum"] for name in enum.get("constants", [])}
     enums = []
     for enum in notes["enum"]:
-        listed = set(enum.get("constants", enum.get("also", [])))
+        listed = {*enum.get("constants", []), *enum.get("also", [])}
+        prefixes = [] if "constants" in enum else [enum["prefix"]]
+        if "of" in enum:
+            prefixes = [f"{name}_" for one in enums if one["name"] == enum["of"] for name in one["constants"]]
+        free = constants.keys() - claimed - alone - set(enum.get("except", []))
         members = [
             name
             for name, one in constants.items()
-            if name in listed
-            or (
-                "constants" not in enum
-                and name.startswith(enum["prefix"])
-                and name not in claimed | alone
-                and enum.get("header", one["header"]) == one["header"]
-                and "group" not in one
-            )
+            if name in listed or (name in free and "group" not in one and name.startswith(tuple(prefixes)))
         ]
         if lacking := listed - constants.keys():
             raise Undescribable(
@@ -117,7 +114,7 @@ class Annotator:
 
     def __init__(self, data, notes, history):
         self.data, self.notes, self.history = data, notes, history
-        self.young = notes["experimental"]
+        self.young = notes["experimental"]["members"]
         self.typedefs = {one["name"] for one in data["typedefs"]}
         self.used = set()
 
@@ -131,21 +128,15 @@ class Annotator:
             function["node"] = self.history.node(function["name"], function["stability"])
         for function in self.data["functions"] + self.data["callbacks"]:
             self.parameters(function)
-        given = {*self.notes["enums_of"], *self.notes["members"], *self.notes["owners"]}
-        given |= {*self.young["stable"], *self.young["names"], *self.young["headers"]}
+        given = {*self.notes["enums_of"], *self.notes["members"], *self.notes["owners"], *self.young}
         if unused := given - self.used:
             raise Undescribable(f"notes.toml: nothing is called {', '.join(sorted(unused))}")
 
     def status(self, name, header=""):
-        """Since when it is there, and whether it may still change."""
-        fitting = [pattern for pattern in self.young["names"] if re.fullmatch(pattern, name)]
-        if header in self.young["headers"]:
-            fitting.append(header)
-        self.used.update(fitting)
-        if name in self.young["stable"]:
-            self.used.add(name)
-            fitting = []
-        return {"since": self.history.since(name), "stability": "experimental" if fitting else "stable"}
+        """Since when it is there, and whether it may still change: what experimental/ declares, and some members."""
+        young = header.startswith("experimental/") or any(re.fullmatch(one, name) for one in self.young)
+        self.used.update(one for one in self.young if re.fullmatch(one, name))
+        return {"since": self.history.since(name), "stability": "experimental" if young else "stable"}
 
     def enum(self, name, found):
         """An enumeration by its note, else the one that was found."""

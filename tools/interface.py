@@ -20,7 +20,9 @@ def freeze():
     need("build", "abigail-tools")
     name = version("API")
     folder, states, kept = ROOT / "tests/abi/frozen" / name, ROOT / "tests/states" / name, MADE / f"frozen/{name}.json"
+    shutil.rmtree(folder / "mimo", ignore_errors=True)
     copy(ROOT.glob("include/mimo/*.h"), folder / "mimo")
+    copy(ROOT.glob("include/mimo/experimental/*.h"), folder / "mimo/experimental")
     copy([ROOT / "tests/abi/caller.c"], folder)
     states.mkdir(parents=True, exist_ok=True)
     kept.unlink(missing_ok=True)  # a candidate's: its sizes are no first ones

@@ -19,7 +19,7 @@
 #define MIMO_MATLAB_BASE_H
 
 #include <mex.h>
-#include <mimo/mimo.h>
+#include <mimo/experimental.h>
 #include <stddef.h>
 
 /* The worlds that a number in MATLAB stands for: a batch, usually of a single world. */

@@ -2,7 +2,7 @@
 #ifndef MIMO_MATLAB_MEMBERS_H
 #define MIMO_MATLAB_MEMBERS_H
 
-#include <mimo/mimo.h>
+#include <mimo/experimental.h>
 #include <stddef.h>
 #include <stdint.h>
 

@@ -202,12 +202,12 @@ function mimo_options()
 %     'joint_torque'        Torque about each joint's own axis, Nm.
 %     'position'            Joint angles, rad.
 %     'effort'              proprioception/effort, 0 to 1: see docs/guide/muscles.md.
+%     'all'                 All bits of the loaded library.
 %     'spindle_primary'     Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off
 %                           by default. proprioception/spindle_primary, two muscles per motor: Ia. Experimental.
 %     'spindle_secondary'   proprioception/spindle_secondary, the same shape: II. Experimental.
 %     'tendon_organ'        proprioception/tendon_organ, the same shape: Ib. Experimental.
 %     'joint_receptor'      proprioception/joint_receptor, joints x 2: near its ends. Experimental.
-%     'all'                 All bits of the loaded library.
 %
 %   Words of Vestibular, which combine: What the sense of balance reports.
 %     'acceleration'        vestibular/acceleration, 3, m/s^2, gravity included.

@@ -13,8 +13,6 @@ function mimo_quantities()
 %     body_mass                   Body: 1, kg, > 0. Writable, W: its inertia grows along.
 %     body_center_of_mass         Body: 3, of the body alone, world, m.
 %     body_pose                   Body: 7, position and orientation. Writable as 'body_position'.
-%     body_nerve_length           Body: 1, m, how long nerves are from the middle of this part of an infant to its head,
-%                                 through the joints on their way; 0 for what is no part of one. Experimental.
 %     joint_position              Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
 %     joint_velocity              Joint: 1, 3 or 6. Writable.
 %     joint_force                 Joint: 1, 3 or 6; generalised force that you apply, until you change it or the world
@@ -44,10 +42,6 @@ function mimo_quantities()
 %     actuator_control            Actuator: 1, control input. Writable.
 %     actuator_force              Actuator: 1, N or Nm.
 %     actuator_gear               Actuator: 1, Nm at control 1. Writable, W.
-%     actuator_fusimotor_drive    Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic
-%                                 and static of the one that pulls to the negative side, then of the other; until you
-%                                 change it or the world is reset, 70 each. None where its agent senses no spindles,
-%                                 'spindle_primary' or _SECONDARY. Writable. Experimental.
 %     sensor_value                Sensor: its dimension.
 %     light_position              Light: 3, m, in the frame of its body, mostly the world. Writable, W.
 %     light_direction             Light: 3, unit vector in that frame. Writable (any length), W.
@@ -75,8 +69,14 @@ function mimo_quantities()
 %     agent_achieved              Agent: see 'agent_goal'.
 %     agent_age                   Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no
 %                                 infant.
-%     agent_physiological_age     Agent: 1, months, of strength, range of motion and tone; likewise. Experimental.
 %     world_gravity               World: 3, m/s^2, world frame. Writable, W.
+%     body_nerve_length           Body: 1, m, how long nerves are from the middle of this part of an infant to its head,
+%                                 through the joints on their way; 0 for what is no part of one. Experimental.
+%     actuator_fusimotor_drive    Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic
+%                                 and static of the one that pulls to the negative side, then of the other; until you
+%                                 change it or the world is reset, 70 each. None where its agent senses no spindles,
+%                                 'spindle_primary' or _SECONDARY. Writable. Experimental.
+%     agent_physiological_age     Agent: 1, months, of strength, range of motion and tone; likewise. Experimental.
 %     warning_steps               Warning: 1, how many physics steps had it since the world was made; resets and loaded
 %                                 states leave it. Writable with 0, to count anew. Experimental.
 help mimo_quantities

@@ -7,7 +7,7 @@
  * to each other. What her skin feels of his hand and his of hers is opposite: the sum of all these forces is zero.
  */
 #include <math.h>
-#include <mimo/mimo.h>
+#include <mimo/experimental.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  *   cc record.c $(pkg-config --cflags --libs mimo) -lm && ./a.out
  */
 #include <math.h>
-#include <mimo/mimo.h>
+#include <mimo/experimental.h>
 #include <stdio.h>
 #include <stdlib.h>
 

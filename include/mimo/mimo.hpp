@@ -27,7 +27,7 @@
 #include "hpp/scene.hpp"
 #include "hpp/senses.hpp"
 #include "hpp/task.hpp"
-#include "mimo.h"
+#include "experimental.h"
 
 /// libmimo for C++, see mimo.hpp.
 namespace mimo {}

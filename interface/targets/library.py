@@ -46,7 +46,7 @@ def names(api):
     return f"""// {NOTE}
 #include "capi/names.h"
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 namespace mimo::capi {{
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "env/world.h"
-#include "mimo/access.h"
+#include "mimo/experimental.h"
 
 namespace mimo::access {
 

@@ -5,7 +5,7 @@
 
 #include "access/kinds.h"
 #include "base/span.h"
-#include "mimo/access.h"
+#include "mimo/experimental.h"
 
 namespace mimo::senses {
 class FusimotorDrives;

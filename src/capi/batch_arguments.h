@@ -4,7 +4,7 @@
 #include "batch/batch.h"
 #include "capi/access.h"
 #include "capi/check.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 namespace mimo::capi {
 

@@ -6,7 +6,7 @@
 
 #include "capi/task_plan.h"
 #include "env/options.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 #include "tasks/task.h"
 
 namespace mimo::capi {

@@ -10,7 +10,7 @@
 #include "geometry/axes.h"
 #include "geometry/texture.h"
 #include "growth/growth.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 #include "observation/field.h"
 #include "reflexes/table.h"
 #include "scene/groups.h"

@@ -1,6 +1,6 @@
 #include "body/faces.h"
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 using namespace mimo;
 

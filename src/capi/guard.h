@@ -10,7 +10,7 @@
 
 #include "base/floats.h"
 #include "base/status.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 namespace mimo::capi {
 

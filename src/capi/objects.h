@@ -14,7 +14,7 @@
 #include "env/attached.h"
 #include "env/description.h"
 #include "env/world.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 #include "recording/recorder.h"
 #include "recording/recording.h"
 

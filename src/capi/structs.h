@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/fail.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 namespace mimo::capi {
 

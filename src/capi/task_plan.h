@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 #include "observation/field.h"
 
 namespace mimo::capi {

@@ -2,7 +2,7 @@
 
 #include "capi/names.h"
 #include "engine/physics.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 #define MIMO_TEXT_OF(x) #x
 #define MIMO_TEXT(x) MIMO_TEXT_OF(x)

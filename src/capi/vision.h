@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "capi/check.h"
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 #include "senses/vision.h"
 
 namespace mimo::capi {

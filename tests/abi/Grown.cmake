@@ -2,8 +2,8 @@
 # run on today's library as far as they use nothing new. Only the border is compiled again; no room below sees headers.
 set(grown ${CMAKE_CURRENT_BINARY_DIR}/grown)
 file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/include/mimo/*
-                                                                   ${PROJECT_SOURCE_DIR}/include/mimo/hpp/*)
-list(FILTER headers EXCLUDE REGEX "/hpp$")
+                                                                   ${PROJECT_SOURCE_DIR}/include/mimo/*/*)
+list(FILTER headers EXCLUDE REGEX "/(hpp|experimental)$")
 set(grown_headers ${headers})
 list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
 list(TRANSFORM grown_headers PREPEND ${grown}/)

@@ -119,7 +119,7 @@ CASES = {
         "notes.toml: Disable: its flags are not single bits: [1, 3, 4]",
     ),
     "one value twice": (
-        "env.h",
+        "experimental/engine.h",
         "#define MIMO_JACOBIAN_SPARSE 2",
         "#define MIMO_JACOBIAN_SPARSE 1",
         "notes.toml: Jacobian: its constants are not different whole numbers: [0, 1, 1]",

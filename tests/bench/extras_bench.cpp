@@ -12,7 +12,7 @@
 //   bench_extras recording [STEPS]  steps are recorded as usual: joints, proprioception, vestibular sense, a state a
 //                                   second
 //   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
-#include <mimo/mimo.h>
+#include <mimo/experimental.h>
 
 #include <algorithm>
 #include <chrono>

@@ -2,7 +2,7 @@
 #ifndef MIMO_TESTS_FAULTS_SCENARIOS_H
 #define MIMO_TESTS_FAULTS_SCENARIOS_H
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 typedef struct scenario {
   const char* name;

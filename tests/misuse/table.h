@@ -3,7 +3,7 @@
 #ifndef MIMO_TESTS_MISUSE_TABLE_H
 #define MIMO_TESTS_MISUSE_TABLE_H
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 /* Everything that calls are made of. Members are named as the parameters of mimo.h where one name does for all. */
 typedef struct args {

@@ -2,7 +2,7 @@
 #ifndef MIMO_TESTS_SUPPORT_CALLS_H
 #define MIMO_TESTS_SUPPORT_CALLS_H
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 #define SIZED(type, ...) (&(const type){.struct_size = sizeof(type), __VA_ARGS__})
 

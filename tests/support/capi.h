@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 #ifndef __cplusplus
 #include "support/calls.h"
 #endif

@@ -254,54 +254,6 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_limit_motor"); }
         }
 
-        internal static int mimo_maturity_init(out MaturityStruct maturity, UIntPtr size)
-        {
-            try { return Entry.mimo_maturity_init(out maturity, size); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_maturity_init"); }
-        }
-
-        internal static int mimo_maturity_at(double age, out MaturityStruct maturity, UIntPtr size)
-        {
-            try { return Entry.mimo_maturity_at(age, out maturity, size); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_maturity_at"); }
-        }
-
-        internal static int mimo_scene_set_maturity(SceneHandle scene, UIntPtr agent, IntPtr maturity)
-        {
-            try { return Entry.mimo_scene_set_maturity(scene, agent, maturity); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_maturity"); }
-        }
-
-        internal static int mimo_scene_set_sensory_delay(SceneHandle scene, UIntPtr agent, byte[] body, double seconds)
-        {
-            try { return Entry.mimo_scene_set_sensory_delay(scene, agent, body, seconds); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_sensory_delay"); }
-        }
-
-        internal static int mimo_scene_set_room_temperature(SceneHandle scene, double celsius)
-        {
-            try { return Entry.mimo_scene_set_room_temperature(scene, celsius); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_room_temperature"); }
-        }
-
-        internal static int mimo_scene_set_temperature(SceneHandle scene, byte[] body, double celsius)
-        {
-            try { return Entry.mimo_scene_set_temperature(scene, body, celsius); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_temperature"); }
-        }
-
-        internal static int mimo_scene_set_material(SceneHandle scene, byte[] body, byte[] material)
-        {
-            try { return Entry.mimo_scene_set_material(scene, body, material); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_material"); }
-        }
-
-        internal static IntPtr mimo_material_name(UIntPtr index)
-        {
-            try { return Entry.mimo_material_name(index); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_material_name"); }
-        }
-
         internal static int mimo_layout_describe(LayoutHandle layout, ref LayoutInfoStruct info)
         {
             try { return Entry.mimo_layout_describe(layout, ref info); }
@@ -422,12 +374,6 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_step"); }
         }
 
-        internal static int mimo_env_follow(EnvHandle env, ref MovementStruct movement, byte[] block, UIntPtr block_bytes)
-        {
-            try { return Entry.mimo_env_follow(env, ref movement, block, block_bytes); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_follow"); }
-        }
-
         internal static int mimo_env_observe(EnvHandle env, byte[] block, UIntPtr block_bytes)
         {
             try { return Entry.mimo_env_observe(env, block, block_bytes); }
@@ -450,18 +396,6 @@ namespace Mimo
         {
             try { return Entry.mimo_env_timestep(env, out seconds); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_timestep"); }
-        }
-
-        internal static int mimo_env_timing(EnvHandle env, ref TimingStruct timing)
-        {
-            try { return Entry.mimo_env_timing(env, ref timing); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_timing"); }
-        }
-
-        internal static int mimo_env_timing_reset(EnvHandle env)
-        {
-            try { return Entry.mimo_env_timing_reset(env); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_timing_reset"); }
         }
 
         internal static int mimo_env_count(EnvHandle env, int kind, out UIntPtr count)
@@ -548,48 +482,6 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_mesh"); }
         }
 
-        internal static int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct appearance)
-        {
-            try { return Entry.mimo_env_appearance(env, geom, ref appearance); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_appearance"); }
-        }
-
-        internal static int mimo_env_texture_count(EnvHandle env, out UIntPtr count)
-        {
-            try { return Entry.mimo_env_texture_count(env, out count); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_texture_count"); }
-        }
-
-        internal static int mimo_env_texture(EnvHandle env, int texture_id, ref TextureStruct texture)
-        {
-            try { return Entry.mimo_env_texture(env, texture_id, ref texture); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_texture"); }
-        }
-
-        internal static int mimo_env_light(EnvHandle env, int id, ref LightStruct light)
-        {
-            try { return Entry.mimo_env_light(env, id, ref light); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_light"); }
-        }
-
-        internal static int mimo_env_gaze(EnvHandle env, UIntPtr agent, ref GazeStruct gaze)
-        {
-            try { return Entry.mimo_env_gaze(env, agent, ref gaze); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_gaze"); }
-        }
-
-        internal static int mimo_env_look_angles(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, int[] joints, double[] angles, UIntPtr capacity, out UIntPtr count, double[] errors)
-        {
-            try { return Entry.mimo_env_look_angles(env, agent, ref point, how, joints, angles, capacity, out count, errors); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_look_angles"); }
-        }
-
-        internal static int mimo_env_look_at(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, double[] errors)
-        {
-            try { return Entry.mimo_env_look_at(env, agent, ref point, how, errors); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_look_at"); }
-        }
-
         internal static int mimo_picture_config_init(out PictureConfigStruct config, UIntPtr size)
         {
             try { return Entry.mimo_picture_config_init(out config, size); }
@@ -630,84 +522,6 @@ namespace Mimo
         {
             try { return Entry.mimo_env_clone(env, out clone); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_clone"); }
-        }
-
-        internal static int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size)
-        {
-            try { return Entry.mimo_recorder_config_init(out config, size); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_config_init"); }
-        }
-
-        internal static int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder)
-        {
-            try { return Entry.mimo_recorder_open(env, path, ref config, out recorder); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_open"); }
-        }
-
-        internal static int mimo_recorder_flush(RecorderHandle recorder)
-        {
-            try { return Entry.mimo_recorder_flush(recorder); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_flush"); }
-        }
-
-        internal static int mimo_recorder_close(RecorderHandle recorder)
-        {
-            try { return Entry.mimo_recorder_close(recorder); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_close"); }
-        }
-
-        internal static int mimo_recorder_close(IntPtr recorder)
-        {
-            try { return Entry.mimo_recorder_close(recorder); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_close"); }
-        }
-
-        internal static int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording)
-        {
-            try { return Entry.mimo_recording_open(path, hdf5, out recording); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_open"); }
-        }
-
-        internal static void mimo_recording_destroy(IntPtr recording)
-        {
-            try { Entry.mimo_recording_destroy(recording); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_destroy"); }
-        }
-
-        internal static int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info)
-        {
-            try { return Entry.mimo_recording_describe(recording, ref info); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_describe"); }
-        }
-
-        internal static int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes)
-        {
-            try { return Entry.mimo_recording_size(recording, dataset, out rows, out row_bytes); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_size"); }
-        }
-
-        internal static int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes)
-        {
-            try { return Entry.mimo_recording_read(recording, dataset, first, rows, values, value_bytes); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_read"); }
-        }
-
-        internal static int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint compare_fields, out UIntPtr at)
-        {
-            try { return Entry.mimo_recording_seek(recording, env, step, compare_fields, out at); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_seek"); }
-        }
-
-        internal static int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results)
-        {
-            try { return Entry.mimo_recording_step(recording, env, block, block_bytes, ref results); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_step"); }
-        }
-
-        internal static int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report)
-        {
-            try { return Entry.mimo_recording_report(recording, ref report); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_report"); }
         }
 
         internal static int mimo_batch_config_init(out BatchConfigStruct config, UIntPtr size)
@@ -914,12 +728,6 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_senses_observe"); }
         }
 
-        internal static int mimo_senses_drive_spindles(SensesHandle senses, int[] actuators, UIntPtr actuator_count, double[] rates, UIntPtr rate_count)
-        {
-            try { return Entry.mimo_senses_drive_spindles(senses, actuators, actuator_count, rates, rate_count); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_senses_drive_spindles"); }
-        }
-
         internal static int mimo_senses_state_size(SensesHandle senses, out UIntPtr bytes)
         {
             try { return Entry.mimo_senses_state_size(senses, out bytes); }
@@ -936,6 +744,36 @@ namespace Mimo
         {
             try { return Entry.mimo_senses_state_load(senses, state, state_bytes, ref report); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_senses_state_load"); }
+        }
+
+        internal static int mimo_senses_drive_spindles(SensesHandle senses, int[] actuators, UIntPtr actuator_count, double[] rates, UIntPtr rate_count)
+        {
+            try { return Entry.mimo_senses_drive_spindles(senses, actuators, actuator_count, rates, rate_count); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_senses_drive_spindles"); }
+        }
+
+        internal static int mimo_maturity_init(out MaturityStruct maturity, UIntPtr size)
+        {
+            try { return Entry.mimo_maturity_init(out maturity, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_maturity_init"); }
+        }
+
+        internal static int mimo_maturity_at(double age, out MaturityStruct maturity, UIntPtr size)
+        {
+            try { return Entry.mimo_maturity_at(age, out maturity, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_maturity_at"); }
+        }
+
+        internal static int mimo_scene_set_maturity(SceneHandle scene, UIntPtr agent, IntPtr maturity)
+        {
+            try { return Entry.mimo_scene_set_maturity(scene, agent, maturity); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_maturity"); }
+        }
+
+        internal static int mimo_scene_set_sensory_delay(SceneHandle scene, UIntPtr agent, byte[] body, double seconds)
+        {
+            try { return Entry.mimo_scene_set_sensory_delay(scene, agent, body, seconds); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_sensory_delay"); }
         }
 
         internal static int mimo_scene_set_sources(SceneHandle scene, UIntPtr count, double seconds)
@@ -960,6 +798,168 @@ namespace Mimo
         {
             try { return Entry.mimo_senses_play(senses, body, samples, count, rate); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_senses_play"); }
+        }
+
+        internal static int mimo_scene_set_room_temperature(SceneHandle scene, double celsius)
+        {
+            try { return Entry.mimo_scene_set_room_temperature(scene, celsius); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_room_temperature"); }
+        }
+
+        internal static int mimo_scene_set_temperature(SceneHandle scene, byte[] body, double celsius)
+        {
+            try { return Entry.mimo_scene_set_temperature(scene, body, celsius); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_temperature"); }
+        }
+
+        internal static int mimo_scene_set_material(SceneHandle scene, byte[] body, byte[] material)
+        {
+            try { return Entry.mimo_scene_set_material(scene, body, material); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_set_material"); }
+        }
+
+        internal static IntPtr mimo_material_name(UIntPtr index)
+        {
+            try { return Entry.mimo_material_name(index); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_material_name"); }
+        }
+
+        internal static int mimo_env_gaze(EnvHandle env, UIntPtr agent, ref GazeStruct gaze)
+        {
+            try { return Entry.mimo_env_gaze(env, agent, ref gaze); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_gaze"); }
+        }
+
+        internal static int mimo_env_look_angles(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, int[] joints, double[] angles, UIntPtr capacity, out UIntPtr count, double[] errors)
+        {
+            try { return Entry.mimo_env_look_angles(env, agent, ref point, how, joints, angles, capacity, out count, errors); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_look_angles"); }
+        }
+
+        internal static int mimo_env_look_at(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, double[] errors)
+        {
+            try { return Entry.mimo_env_look_at(env, agent, ref point, how, errors); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_look_at"); }
+        }
+
+        internal static int mimo_env_follow(EnvHandle env, ref MovementStruct movement, byte[] block, UIntPtr block_bytes)
+        {
+            try { return Entry.mimo_env_follow(env, ref movement, block, block_bytes); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_follow"); }
+        }
+
+        internal static int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct appearance)
+        {
+            try { return Entry.mimo_env_appearance(env, geom, ref appearance); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_appearance"); }
+        }
+
+        internal static int mimo_env_texture_count(EnvHandle env, out UIntPtr count)
+        {
+            try { return Entry.mimo_env_texture_count(env, out count); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_texture_count"); }
+        }
+
+        internal static int mimo_env_texture(EnvHandle env, int texture_id, ref TextureStruct texture)
+        {
+            try { return Entry.mimo_env_texture(env, texture_id, ref texture); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_texture"); }
+        }
+
+        internal static int mimo_env_light(EnvHandle env, int id, ref LightStruct light)
+        {
+            try { return Entry.mimo_env_light(env, id, ref light); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_light"); }
+        }
+
+        internal static int mimo_env_timing(EnvHandle env, ref TimingStruct timing)
+        {
+            try { return Entry.mimo_env_timing(env, ref timing); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_timing"); }
+        }
+
+        internal static int mimo_env_timing_reset(EnvHandle env)
+        {
+            try { return Entry.mimo_env_timing_reset(env); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_timing_reset"); }
+        }
+
+        internal static int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size)
+        {
+            try { return Entry.mimo_recorder_config_init(out config, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_config_init"); }
+        }
+
+        internal static int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder)
+        {
+            try { return Entry.mimo_recorder_open(env, path, ref config, out recorder); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_open"); }
+        }
+
+        internal static int mimo_recorder_flush(RecorderHandle recorder)
+        {
+            try { return Entry.mimo_recorder_flush(recorder); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_flush"); }
+        }
+
+        internal static int mimo_recorder_close(RecorderHandle recorder)
+        {
+            try { return Entry.mimo_recorder_close(recorder); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_close"); }
+        }
+
+        internal static int mimo_recorder_close(IntPtr recorder)
+        {
+            try { return Entry.mimo_recorder_close(recorder); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recorder_close"); }
+        }
+
+        internal static int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording)
+        {
+            try { return Entry.mimo_recording_open(path, hdf5, out recording); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_open"); }
+        }
+
+        internal static void mimo_recording_destroy(IntPtr recording)
+        {
+            try { Entry.mimo_recording_destroy(recording); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_destroy"); }
+        }
+
+        internal static int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info)
+        {
+            try { return Entry.mimo_recording_describe(recording, ref info); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_describe"); }
+        }
+
+        internal static int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes)
+        {
+            try { return Entry.mimo_recording_size(recording, dataset, out rows, out row_bytes); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_size"); }
+        }
+
+        internal static int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes)
+        {
+            try { return Entry.mimo_recording_read(recording, dataset, first, rows, values, value_bytes); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_read"); }
+        }
+
+        internal static int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint compare_fields, out UIntPtr at)
+        {
+            try { return Entry.mimo_recording_seek(recording, env, step, compare_fields, out at); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_seek"); }
+        }
+
+        internal static int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results)
+        {
+            try { return Entry.mimo_recording_step(recording, env, block, block_bytes, ref results); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_step"); }
+        }
+
+        internal static int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report)
+        {
+            try { return Entry.mimo_recording_report(recording, ref report); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_report"); }
         }
 
         private static class Entry
@@ -1003,14 +1003,6 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_limits_init(out LimitsStruct limits, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_scene_limit_sense(SceneHandle scene, UIntPtr agent, byte[] path, ref LimitsStruct limits);
             [DllImport(File)] internal static extern int mimo_scene_limit_motor(SceneHandle scene, UIntPtr agent, byte[] path, ref LimitsStruct limits);
-            [DllImport(File)] internal static extern int mimo_maturity_init(out MaturityStruct maturity, UIntPtr size);
-            [DllImport(File)] internal static extern int mimo_maturity_at(double age, out MaturityStruct maturity, UIntPtr size);
-            [DllImport(File)] internal static extern int mimo_scene_set_maturity(SceneHandle scene, UIntPtr agent, IntPtr maturity);
-            [DllImport(File)] internal static extern int mimo_scene_set_sensory_delay(SceneHandle scene, UIntPtr agent, byte[] body, double seconds);
-            [DllImport(File)] internal static extern int mimo_scene_set_room_temperature(SceneHandle scene, double celsius);
-            [DllImport(File)] internal static extern int mimo_scene_set_temperature(SceneHandle scene, byte[] body, double celsius);
-            [DllImport(File)] internal static extern int mimo_scene_set_material(SceneHandle scene, byte[] body, byte[] material);
-            [DllImport(File)] internal static extern IntPtr mimo_material_name(UIntPtr index);
             [DllImport(File)] internal static extern int mimo_layout_describe(LayoutHandle layout, ref LayoutInfoStruct info);
             [DllImport(File)] internal static extern int mimo_layout_field(LayoutHandle layout, UIntPtr index, ref FieldStruct field);
             [DllImport(File)] internal static extern int mimo_layout_find(LayoutHandle layout, byte[] name, out UIntPtr index);
@@ -1031,13 +1023,10 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_env_agent(EnvHandle env, UIntPtr index, ref AgentInfoStruct info);
             [DllImport(File)] internal static extern int mimo_env_reset(EnvHandle env, ref ResetConfigStruct config, byte[] block, UIntPtr block_bytes);
             [DllImport(File)] internal static extern int mimo_env_step(EnvHandle env, float[] action, UIntPtr action_count, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results);
-            [DllImport(File)] internal static extern int mimo_env_follow(EnvHandle env, ref MovementStruct movement, byte[] block, UIntPtr block_bytes);
             [DllImport(File)] internal static extern int mimo_env_observe(EnvHandle env, byte[] block, UIntPtr block_bytes);
             [DllImport(File)] internal static extern int mimo_env_physics_step(EnvHandle env, UIntPtr count);
             [DllImport(File)] internal static extern int mimo_env_time(EnvHandle env, out double seconds);
             [DllImport(File)] internal static extern int mimo_env_timestep(EnvHandle env, out double seconds);
-            [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
-            [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);
             [DllImport(File)] internal static extern int mimo_env_count(EnvHandle env, int kind, out UIntPtr count);
             [DllImport(File)] internal static extern int mimo_env_find(EnvHandle env, int kind, byte[] name, out int id);
             [DllImport(File)] internal static extern int mimo_env_name(EnvHandle env, int kind, int id, out IntPtr name);
@@ -1052,13 +1041,6 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_env_poses(EnvHandle env, int kind, int axes, float[] poses, UIntPtr value_count);
             [DllImport(File)] internal static extern int mimo_mesh_init(out MeshStruct mesh, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_env_mesh(EnvHandle env, int geom, ref MeshStruct mesh);
-            [DllImport(File)] internal static extern int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct appearance);
-            [DllImport(File)] internal static extern int mimo_env_texture_count(EnvHandle env, out UIntPtr count);
-            [DllImport(File)] internal static extern int mimo_env_texture(EnvHandle env, int texture_id, ref TextureStruct texture);
-            [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);
-            [DllImport(File)] internal static extern int mimo_env_gaze(EnvHandle env, UIntPtr agent, ref GazeStruct gaze);
-            [DllImport(File)] internal static extern int mimo_env_look_angles(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, int[] joints, double[] angles, UIntPtr capacity, out UIntPtr count, double[] errors);
-            [DllImport(File)] internal static extern int mimo_env_look_at(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, double[] errors);
             [DllImport(File)] internal static extern int mimo_picture_config_init(out PictureConfigStruct config, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_env_render(EnvHandle env, ref PictureConfigStruct config, ref PictureStruct picture);
             [DllImport(File)] internal static extern int mimo_env_project(EnvHandle env, ref PictureConfigStruct config, Vector3d[] points, UIntPtr count, [Out] Vector3d[] pixels);
@@ -1066,19 +1048,6 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_env_state_save(EnvHandle env, byte[] state, UIntPtr state_bytes);
             [DllImport(File)] internal static extern int mimo_env_state_load(EnvHandle env, byte[] state, UIntPtr state_bytes, ref LoadReportStruct report);
             [DllImport(File)] internal static extern int mimo_env_clone(EnvHandle env, out EnvHandle clone);
-            [DllImport(File)] internal static extern int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size);
-            [DllImport(File)] internal static extern int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder);
-            [DllImport(File)] internal static extern int mimo_recorder_flush(RecorderHandle recorder);
-            [DllImport(File)] internal static extern int mimo_recorder_close(RecorderHandle recorder);
-            [DllImport(File)] internal static extern int mimo_recorder_close(IntPtr recorder);
-            [DllImport(File)] internal static extern int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording);
-            [DllImport(File)] internal static extern void mimo_recording_destroy(IntPtr recording);
-            [DllImport(File)] internal static extern int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info);
-            [DllImport(File)] internal static extern int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes);
-            [DllImport(File)] internal static extern int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes);
-            [DllImport(File)] internal static extern int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint compare_fields, out UIntPtr at);
-            [DllImport(File)] internal static extern int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results);
-            [DllImport(File)] internal static extern int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report);
             [DllImport(File)] internal static extern int mimo_batch_config_init(out BatchConfigStruct config, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_batch_create(SceneHandle scene, ref EnvConfigStruct env_config, ref BatchConfigStruct batch_config, out BatchHandle batch);
             [DllImport(File)] internal static extern void mimo_batch_destroy(IntPtr batch);
@@ -1113,14 +1082,45 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_senses_reset(SensesHandle senses, IntPtr data, ref ResetConfigStruct config);
             [DllImport(File)] internal static extern int mimo_senses_advance(SensesHandle senses, IntPtr data);
             [DllImport(File)] internal static extern int mimo_senses_observe(SensesHandle senses, IntPtr data, byte[] block, UIntPtr block_bytes);
-            [DllImport(File)] internal static extern int mimo_senses_drive_spindles(SensesHandle senses, int[] actuators, UIntPtr actuator_count, double[] rates, UIntPtr rate_count);
             [DllImport(File)] internal static extern int mimo_senses_state_size(SensesHandle senses, out UIntPtr bytes);
             [DllImport(File)] internal static extern int mimo_senses_state_save(SensesHandle senses, byte[] state, UIntPtr state_bytes);
             [DllImport(File)] internal static extern int mimo_senses_state_load(SensesHandle senses, byte[] state, UIntPtr state_bytes, ref LoadReportStruct report);
+            [DllImport(File)] internal static extern int mimo_senses_drive_spindles(SensesHandle senses, int[] actuators, UIntPtr actuator_count, double[] rates, UIntPtr rate_count);
+            [DllImport(File)] internal static extern int mimo_maturity_init(out MaturityStruct maturity, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_maturity_at(double age, out MaturityStruct maturity, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_scene_set_maturity(SceneHandle scene, UIntPtr agent, IntPtr maturity);
+            [DllImport(File)] internal static extern int mimo_scene_set_sensory_delay(SceneHandle scene, UIntPtr agent, byte[] body, double seconds);
             [DllImport(File)] internal static extern int mimo_scene_set_sources(SceneHandle scene, UIntPtr count, double seconds);
             [DllImport(File)] internal static extern int mimo_scene_direct_source(SceneHandle scene, byte[] body, ref Vector3d place, ref Vector3d axis, double directivity);
             [DllImport(File)] internal static extern int mimo_env_play(EnvHandle env, byte[] body, float[] samples, UIntPtr count, double rate);
             [DllImport(File)] internal static extern int mimo_senses_play(SensesHandle senses, byte[] body, float[] samples, UIntPtr count, double rate);
+            [DllImport(File)] internal static extern int mimo_scene_set_room_temperature(SceneHandle scene, double celsius);
+            [DllImport(File)] internal static extern int mimo_scene_set_temperature(SceneHandle scene, byte[] body, double celsius);
+            [DllImport(File)] internal static extern int mimo_scene_set_material(SceneHandle scene, byte[] body, byte[] material);
+            [DllImport(File)] internal static extern IntPtr mimo_material_name(UIntPtr index);
+            [DllImport(File)] internal static extern int mimo_env_gaze(EnvHandle env, UIntPtr agent, ref GazeStruct gaze);
+            [DllImport(File)] internal static extern int mimo_env_look_angles(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, int[] joints, double[] angles, UIntPtr capacity, out UIntPtr count, double[] errors);
+            [DllImport(File)] internal static extern int mimo_env_look_at(EnvHandle env, UIntPtr agent, ref Vector3d point, int how, double[] errors);
+            [DllImport(File)] internal static extern int mimo_env_follow(EnvHandle env, ref MovementStruct movement, byte[] block, UIntPtr block_bytes);
+            [DllImport(File)] internal static extern int mimo_env_appearance(EnvHandle env, int geom, ref AppearanceStruct appearance);
+            [DllImport(File)] internal static extern int mimo_env_texture_count(EnvHandle env, out UIntPtr count);
+            [DllImport(File)] internal static extern int mimo_env_texture(EnvHandle env, int texture_id, ref TextureStruct texture);
+            [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);
+            [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
+            [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);
+            [DllImport(File)] internal static extern int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder);
+            [DllImport(File)] internal static extern int mimo_recorder_flush(RecorderHandle recorder);
+            [DllImport(File)] internal static extern int mimo_recorder_close(RecorderHandle recorder);
+            [DllImport(File)] internal static extern int mimo_recorder_close(IntPtr recorder);
+            [DllImport(File)] internal static extern int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording);
+            [DllImport(File)] internal static extern void mimo_recording_destroy(IntPtr recording);
+            [DllImport(File)] internal static extern int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info);
+            [DllImport(File)] internal static extern int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes);
+            [DllImport(File)] internal static extern int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes);
+            [DllImport(File)] internal static extern int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint compare_fields, out UIntPtr at);
+            [DllImport(File)] internal static extern int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results);
+            [DllImport(File)] internal static extern int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report);
         }
     }
 

@@ -242,32 +242,6 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal partial struct MaturityStruct
-    {
-        internal uint struct_size;
-        internal uint contrast_threshold;
-        internal double acuity;
-        internal double peak_contrast;
-        internal double chroma;
-        internal double flicker;
-        internal double conduction_speed;
-        internal double sensory_delay;
-        internal double motor_delay;
-        internal double vision_delay;
-        internal double vestibular_delay;
-        internal double hearing_delay;
-
-        internal const uint Bytes = 88;
-
-        internal static MaturityStruct New()
-        {
-            MaturityStruct made;
-            MimoException.Check(Native.mimo_maturity_init(out made, (UIntPtr)Bytes));
-            return made;
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal partial struct LayoutInfoStruct
     {
         internal uint struct_size;
@@ -435,46 +409,6 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    internal partial struct MovementStruct
-    {
-        internal uint struct_size;
-        internal uint reserved;
-        internal IntPtr positions;
-        internal UIntPtr position_count;
-        internal IntPtr forces;
-        internal UIntPtr force_count;
-
-        internal const uint Bytes = 40;
-
-        internal static MovementStruct New()
-        {
-            return new MovementStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct TimingStruct
-    {
-        internal uint struct_size;
-        internal uint reserved;
-        internal ulong steps;
-        internal double total;
-        internal double physics;
-        internal double touch;
-        internal double vision;
-        internal double proprioception;
-        internal double vestibular;
-        internal double hearing;
-
-        internal const uint Bytes = 72;
-
-        internal static TimingStruct New()
-        {
-            return new TimingStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
     internal partial struct MeshStruct
     {
         internal uint struct_size;
@@ -498,92 +432,6 @@ namespace Mimo
             MeshStruct made;
             MimoException.Check(Native.mimo_mesh_init(out made, (UIntPtr)Bytes));
             return made;
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct AppearanceStruct
-    {
-        internal uint struct_size;
-        internal uint visible;
-        internal int group;
-        internal int texture;
-        internal Floats4 color;
-        internal float emission;
-        internal float specular;
-        internal float shininess;
-        internal float reflectance;
-
-        internal const uint Bytes = 48;
-
-        internal static AppearanceStruct New()
-        {
-            return new AppearanceStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct TextureStruct
-    {
-        internal uint struct_size;
-        internal int type;
-        internal uint width;
-        internal uint height;
-        internal IntPtr pixels;
-        internal UIntPtr pixel_bytes;
-
-        internal const uint Bytes = 32;
-
-        internal static TextureStruct New()
-        {
-            return new TextureStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct LightStruct
-    {
-        internal uint struct_size;
-        internal int axes;
-        internal uint active;
-        internal uint directional;
-        internal uint casts_shadow;
-        internal float cutoff;
-        internal float exponent;
-        internal Floats3 position;
-        internal Floats3 direction;
-        internal Floats3 ambient;
-        internal Floats3 diffuse;
-        internal Floats3 specular;
-        internal Floats3 attenuation;
-        internal uint reserved;
-
-        internal const uint Bytes = 104;
-
-        internal static LightStruct New()
-        {
-            return new LightStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct GazeStruct
-    {
-        internal uint struct_size;
-        internal uint meets;
-        internal Vector3d left_position;
-        internal Vector3d left_direction;
-        internal Vector3d right_position;
-        internal Vector3d right_direction;
-        internal double vergence;
-        internal Vector3d point;
-        internal double miss;
-
-        internal const uint Bytes = 144;
-
-        internal static GazeStruct New()
-        {
-            return new GazeStruct { struct_size = Bytes };
         }
     }
 
@@ -647,75 +495,6 @@ namespace Mimo
         internal static LoadReportStruct New()
         {
             return new LoadReportStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct RecorderConfigStruct
-    {
-        internal uint struct_size;
-        internal uint compression;
-        internal IntPtr keep;
-        internal double state_seconds;
-        internal double flush_seconds;
-        internal IntPtr configuration;
-        internal ulong seed;
-        internal IntPtr hdf5;
-        internal uint replace;
-        internal uint reserved;
-
-        internal const uint Bytes = 64;
-
-        internal static RecorderConfigStruct New()
-        {
-            RecorderConfigStruct made;
-            MimoException.Check(Native.mimo_recorder_config_init(out made, (UIntPtr)Bytes));
-            return made;
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct RecordingInfoStruct
-    {
-        internal uint struct_size;
-        internal uint format_version;
-        internal uint same_build;
-        internal uint reserved;
-        internal UIntPtr steps;
-        internal UIntPtr states;
-        internal UIntPtr actions;
-        internal UIntPtr agents;
-        internal UIntPtr bodies;
-        internal double step_seconds;
-        internal IntPtr build;
-        internal IntPtr this_build;
-        internal IntPtr configuration;
-        internal IntPtr seed;
-
-        internal const uint Bytes = 96;
-
-        internal static RecordingInfoStruct New()
-        {
-            return new RecordingInfoStruct { struct_size = Bytes };
-        }
-    }
-
-    [StructLayout(LayoutKind.Sequential)]
-    internal partial struct ReplayReportStruct
-    {
-        internal uint struct_size;
-        internal uint identical;
-        internal UIntPtr next;
-        internal UIntPtr steps;
-        internal UIntPtr first_difference;
-        internal double largest_difference;
-        internal IntPtr differs_most_in;
-
-        internal const uint Bytes = 48;
-
-        internal static ReplayReportStruct New()
-        {
-            return new ReplayReportStruct { struct_size = Bytes };
         }
     }
 
@@ -915,6 +694,227 @@ namespace Mimo
             SensesConfigStruct made;
             MimoException.Check(Native.mimo_senses_config_init(out made, (UIntPtr)Bytes));
             return made;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct MaturityStruct
+    {
+        internal uint struct_size;
+        internal uint contrast_threshold;
+        internal double acuity;
+        internal double peak_contrast;
+        internal double chroma;
+        internal double flicker;
+        internal double conduction_speed;
+        internal double sensory_delay;
+        internal double motor_delay;
+        internal double vision_delay;
+        internal double vestibular_delay;
+        internal double hearing_delay;
+
+        internal const uint Bytes = 88;
+
+        internal static MaturityStruct New()
+        {
+            MaturityStruct made;
+            MimoException.Check(Native.mimo_maturity_init(out made, (UIntPtr)Bytes));
+            return made;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct GazeStruct
+    {
+        internal uint struct_size;
+        internal uint meets;
+        internal Vector3d left_position;
+        internal Vector3d left_direction;
+        internal Vector3d right_position;
+        internal Vector3d right_direction;
+        internal double vergence;
+        internal Vector3d point;
+        internal double miss;
+
+        internal const uint Bytes = 144;
+
+        internal static GazeStruct New()
+        {
+            return new GazeStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct MovementStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal IntPtr positions;
+        internal UIntPtr position_count;
+        internal IntPtr forces;
+        internal UIntPtr force_count;
+
+        internal const uint Bytes = 40;
+
+        internal static MovementStruct New()
+        {
+            return new MovementStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct AppearanceStruct
+    {
+        internal uint struct_size;
+        internal uint visible;
+        internal int group;
+        internal int texture;
+        internal Floats4 color;
+        internal float emission;
+        internal float specular;
+        internal float shininess;
+        internal float reflectance;
+
+        internal const uint Bytes = 48;
+
+        internal static AppearanceStruct New()
+        {
+            return new AppearanceStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct TextureStruct
+    {
+        internal uint struct_size;
+        internal int type;
+        internal uint width;
+        internal uint height;
+        internal IntPtr pixels;
+        internal UIntPtr pixel_bytes;
+
+        internal const uint Bytes = 32;
+
+        internal static TextureStruct New()
+        {
+            return new TextureStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct LightStruct
+    {
+        internal uint struct_size;
+        internal int axes;
+        internal uint active;
+        internal uint directional;
+        internal uint casts_shadow;
+        internal float cutoff;
+        internal float exponent;
+        internal Floats3 position;
+        internal Floats3 direction;
+        internal Floats3 ambient;
+        internal Floats3 diffuse;
+        internal Floats3 specular;
+        internal Floats3 attenuation;
+        internal uint reserved;
+
+        internal const uint Bytes = 104;
+
+        internal static LightStruct New()
+        {
+            return new LightStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct TimingStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal ulong steps;
+        internal double total;
+        internal double physics;
+        internal double touch;
+        internal double vision;
+        internal double proprioception;
+        internal double vestibular;
+        internal double hearing;
+
+        internal const uint Bytes = 72;
+
+        internal static TimingStruct New()
+        {
+            return new TimingStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct RecorderConfigStruct
+    {
+        internal uint struct_size;
+        internal uint compression;
+        internal IntPtr keep;
+        internal double state_seconds;
+        internal double flush_seconds;
+        internal IntPtr configuration;
+        internal ulong seed;
+        internal IntPtr hdf5;
+        internal uint replace;
+        internal uint reserved;
+
+        internal const uint Bytes = 64;
+
+        internal static RecorderConfigStruct New()
+        {
+            RecorderConfigStruct made;
+            MimoException.Check(Native.mimo_recorder_config_init(out made, (UIntPtr)Bytes));
+            return made;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct RecordingInfoStruct
+    {
+        internal uint struct_size;
+        internal uint format_version;
+        internal uint same_build;
+        internal uint reserved;
+        internal UIntPtr steps;
+        internal UIntPtr states;
+        internal UIntPtr actions;
+        internal UIntPtr agents;
+        internal UIntPtr bodies;
+        internal double step_seconds;
+        internal IntPtr build;
+        internal IntPtr this_build;
+        internal IntPtr configuration;
+        internal IntPtr seed;
+
+        internal const uint Bytes = 96;
+
+        internal static RecordingInfoStruct New()
+        {
+            return new RecordingInfoStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct ReplayReportStruct
+    {
+        internal uint struct_size;
+        internal uint identical;
+        internal UIntPtr next;
+        internal UIntPtr steps;
+        internal UIntPtr first_difference;
+        internal double largest_difference;
+        internal IntPtr differs_most_in;
+
+        internal const uint Bytes = 48;
+
+        internal static ReplayReportStruct New()
+        {
+            return new ReplayReportStruct { struct_size = Bytes };
         }
     }
 }

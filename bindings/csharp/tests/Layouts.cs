@@ -36,10 +36,6 @@ internal static partial class Tests
             "face 168 8, root 176 8, vestibular_at 184 8, growth 192 8, hearing 200 4, voice 204 4" },
         { typeof(LimitsStruct), "48: " +
             "struct_size 0 4, reserved 4 4, delay 8 8, gain 16 8, noise 24 8, blur 32 8, signal_noise 40 8" },
-        { typeof(MaturityStruct), "88: " +
-            "struct_size 0 4, contrast_threshold 4 4, acuity 8 8, peak_contrast 16 8, chroma 24 8, flicker 32 8, " +
-            "conduction_speed 40 8, sensory_delay 48 8, motor_delay 56 8, vision_delay 64 8, vestibular_delay 72 8, " +
-            "hearing_delay 80 8" },
         { typeof(LayoutInfoStruct), "48: " +
             "struct_size 0 4, reserved 4 4, block_bytes 8 8, fields 16 8, actions 24 8, agents 32 8, terms 40 8" },
         { typeof(FieldStruct), "120: " +
@@ -59,27 +55,10 @@ internal static partial class Tests
         { typeof(EnvResultsStruct), "64: " +
             "struct_size 0 4, reserved 4 4, reward 8 8, terminated 16 8, truncated 24 8, outcome 32 8, agent_count 40 " +
             "8, terms 48 8, term_count 56 8" },
-        { typeof(MovementStruct), "40: " +
-            "struct_size 0 4, reserved 4 4, positions 8 8, position_count 16 8, forces 24 8, force_count 32 8" },
-        { typeof(TimingStruct), "72: " +
-            "struct_size 0 4, reserved 4 4, steps 8 8, total 16 8, physics 24 8, touch 32 8, vision 40 8, " +
-            "proprioception 48 8, vestibular 56 8, hearing 64 8" },
         { typeof(MeshStruct), "88: " +
             "struct_size 0 4, axes 4 4, segments 8 4, reserved 12 4, plane 16 8, positions 24 8, normals 32 8, " +
             "texcoords 40 8, indices 48 8, vertex_capacity 56 8, index_capacity 64 8, vertex_count 72 8, index_count " +
             "80 8" },
-        { typeof(AppearanceStruct), "48: " +
-            "struct_size 0 4, visible 4 4, group 8 4, texture 12 4, color 16 16, emission 32 4, specular 36 4, " +
-            "shininess 40 4, reflectance 44 4" },
-        { typeof(TextureStruct), "32: " +
-            "struct_size 0 4, type 4 4, width 8 4, height 12 4, pixels 16 8, pixel_bytes 24 8" },
-        { typeof(LightStruct), "104: " +
-            "struct_size 0 4, axes 4 4, active 8 4, directional 12 4, casts_shadow 16 4, cutoff 20 4, exponent 24 4, " +
-            "position 28 12, direction 40 12, ambient 52 12, diffuse 64 12, specular 76 12, attenuation 88 12, " +
-            "reserved 100 4" },
-        { typeof(GazeStruct), "144: " +
-            "struct_size 0 4, meets 4 4, left_position 8 24, left_direction 32 24, right_position 56 24, " +
-            "right_direction 80 24, vergence 104 8, point 112 24, miss 136 8" },
         { typeof(PictureConfigStruct), "88: " +
             "struct_size 0 4, width 4 4, height 8 4, format 12 4, camera 16 8, look_at 24 24, distance 48 8, azimuth " +
             "56 8, elevation 64 8, fovy 72 8, foveation 80 8" },
@@ -88,16 +67,6 @@ internal static partial class Tests
             "segmentation_count 48 8" },
         { typeof(LoadReportStruct), "40: " +
             "struct_size 0 4, reserved 4 4, fresh 8 8, ignored 16 8, fresh_names 24 8, ignored_names 32 8" },
-        { typeof(RecorderConfigStruct), "64: " +
-            "struct_size 0 4, compression 4 4, keep 8 8, state_seconds 16 8, flush_seconds 24 8, configuration 32 8, " +
-            "seed 40 8, hdf5 48 8, replace 56 4, reserved 60 4" },
-        { typeof(RecordingInfoStruct), "96: " +
-            "struct_size 0 4, format_version 4 4, same_build 8 4, reserved 12 4, steps 16 8, states 24 8, actions 32 " +
-            "8, agents 40 8, bodies 48 8, step_seconds 56 8, build 64 8, this_build 72 8, configuration 80 8, seed 88 " +
-            "8" },
-        { typeof(ReplayReportStruct), "48: " +
-            "struct_size 0 4, identical 4 4, next 8 8, steps 16 8, first_difference 24 8, largest_difference 32 8, " +
-            "differs_most_in 40 8" },
         { typeof(BatchConfigStruct), "40: " +
             "struct_size 0 4, worlds 4 4, threads 8 4, autoreset 12 4, restart_failed 16 4, reserved 20 4, cohort 24 " +
             "8, cohort_count 32 8" },
@@ -121,6 +90,37 @@ internal static partial class Tests
             "term_count 48 8, fields 56 8, field_count 64 8" },
         { typeof(SensesConfigStruct), "72: " +
             "struct_size 0 4, mujoco_version 4 4, model_size 8 8, data_size 16 8, step 24 8, renderer 32 8, log 40 8, " +
-            "log_user 48 8, render 56 4, samples 60 4, render_threads 64 4, reserved 68 4" }
+            "log_user 48 8, render 56 4, samples 60 4, render_threads 64 4, reserved 68 4" },
+        { typeof(MaturityStruct), "88: " +
+            "struct_size 0 4, contrast_threshold 4 4, acuity 8 8, peak_contrast 16 8, chroma 24 8, flicker 32 8, " +
+            "conduction_speed 40 8, sensory_delay 48 8, motor_delay 56 8, vision_delay 64 8, vestibular_delay 72 8, " +
+            "hearing_delay 80 8" },
+        { typeof(GazeStruct), "144: " +
+            "struct_size 0 4, meets 4 4, left_position 8 24, left_direction 32 24, right_position 56 24, " +
+            "right_direction 80 24, vergence 104 8, point 112 24, miss 136 8" },
+        { typeof(MovementStruct), "40: " +
+            "struct_size 0 4, reserved 4 4, positions 8 8, position_count 16 8, forces 24 8, force_count 32 8" },
+        { typeof(AppearanceStruct), "48: " +
+            "struct_size 0 4, visible 4 4, group 8 4, texture 12 4, color 16 16, emission 32 4, specular 36 4, " +
+            "shininess 40 4, reflectance 44 4" },
+        { typeof(TextureStruct), "32: " +
+            "struct_size 0 4, type 4 4, width 8 4, height 12 4, pixels 16 8, pixel_bytes 24 8" },
+        { typeof(LightStruct), "104: " +
+            "struct_size 0 4, axes 4 4, active 8 4, directional 12 4, casts_shadow 16 4, cutoff 20 4, exponent 24 4, " +
+            "position 28 12, direction 40 12, ambient 52 12, diffuse 64 12, specular 76 12, attenuation 88 12, " +
+            "reserved 100 4" },
+        { typeof(TimingStruct), "72: " +
+            "struct_size 0 4, reserved 4 4, steps 8 8, total 16 8, physics 24 8, touch 32 8, vision 40 8, " +
+            "proprioception 48 8, vestibular 56 8, hearing 64 8" },
+        { typeof(RecorderConfigStruct), "64: " +
+            "struct_size 0 4, compression 4 4, keep 8 8, state_seconds 16 8, flush_seconds 24 8, configuration 32 8, " +
+            "seed 40 8, hdf5 48 8, replace 56 4, reserved 60 4" },
+        { typeof(RecordingInfoStruct), "96: " +
+            "struct_size 0 4, format_version 4 4, same_build 8 4, reserved 12 4, steps 16 8, states 24 8, actions 32 " +
+            "8, agents 40 8, bodies 48 8, step_seconds 56 8, build 64 8, this_build 72 8, configuration 80 8, seed 88 " +
+            "8" },
+        { typeof(ReplayReportStruct), "48: " +
+            "struct_size 0 4, identical 4 4, next 8 8, steps 16 8, first_difference 24 8, largest_difference 32 8, " +
+            "differs_most_in 40 8" }
     };
 }

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../mimo.h"
+#include "../experimental.h"
 #include "handles.hpp"
 
 namespace mimo {

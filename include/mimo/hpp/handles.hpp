@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "../mimo.h"
+#include "../experimental.h"
 
 namespace mimo {
 

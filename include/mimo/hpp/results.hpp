@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "../mimo.h"
+#include "../experimental.h"
 
 namespace mimo {
 

@@ -206,26 +206,6 @@ class Limits(Struct):
     ]
 
 
-class Maturity(Struct):
-    """mimo_maturity."""
-
-    init = "mimo_maturity_init"
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("contrast_threshold", c_uint32),
-        ("acuity", c_double),
-        ("peak_contrast", c_double),
-        ("chroma", c_double),
-        ("flicker", c_double),
-        ("conduction_speed", c_double),
-        ("sensory_delay", c_double),
-        ("motor_delay", c_double),
-        ("vision_delay", c_double),
-        ("vestibular_delay", c_double),
-        ("hearing_delay", c_double),
-    ]
-
-
 class LayoutInfo(Struct):
     """mimo_layout_info."""
 
@@ -352,36 +332,6 @@ class EnvResults(Struct):
     ]
 
 
-class Movement(Struct):
-    """mimo_movement."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("positions", c_void_p),
-        ("position_count", c_size_t),
-        ("forces", c_void_p),
-        ("force_count", c_size_t),
-    ]
-
-
-class Timing(Struct):
-    """mimo_timing."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("steps", c_uint64),
-        ("total", c_double),
-        ("physics", c_double),
-        ("touch", c_double),
-        ("vision", c_double),
-        ("proprioception", c_double),
-        ("vestibular", c_double),
-        ("hearing", c_double),
-    ]
-
-
 class Mesh(Struct):
     """mimo_mesh."""
 
@@ -400,72 +350,6 @@ class Mesh(Struct):
         ("index_capacity", c_size_t),
         ("vertex_count", c_size_t),
         ("index_count", c_size_t),
-    ]
-
-
-class Appearance(Struct):
-    """mimo_appearance."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("visible", c_uint32),
-        ("group", c_int32),
-        ("texture", c_int32),
-        ("color", c_float * 4),
-        ("emission", c_float),
-        ("specular", c_float),
-        ("shininess", c_float),
-        ("reflectance", c_float),
-    ]
-
-
-class Texture(Struct):
-    """mimo_texture."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("type", c_int32),
-        ("width", c_uint32),
-        ("height", c_uint32),
-        ("pixels", c_void_p),
-        ("pixel_bytes", c_size_t),
-    ]
-
-
-class Light(Struct):
-    """mimo_light."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("axes", c_int32),
-        ("active", c_uint32),
-        ("directional", c_uint32),
-        ("casts_shadow", c_uint32),
-        ("cutoff", c_float),
-        ("exponent", c_float),
-        ("position", c_float * 3),
-        ("direction", c_float * 3),
-        ("ambient", c_float * 3),
-        ("diffuse", c_float * 3),
-        ("specular", c_float * 3),
-        ("attenuation", c_float * 3),
-        ("reserved", c_uint32),
-    ]
-
-
-class Gaze(Struct):
-    """mimo_gaze."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("meets", c_uint32),
-        ("left_position", c_double * 3),
-        ("left_direction", c_double * 3),
-        ("right_position", c_double * 3),
-        ("right_direction", c_double * 3),
-        ("vergence", c_double),
-        ("point", c_double * 3),
-        ("miss", c_double),
     ]
 
 
@@ -513,59 +397,6 @@ class LoadReport(Struct):
         ("ignored", c_size_t),
         ("fresh_names", c_char_p),
         ("ignored_names", c_char_p),
-    ]
-
-
-class RecorderConfig(Struct):
-    """mimo_recorder_config."""
-
-    init = "mimo_recorder_config_init"
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("compression", c_uint32),
-        ("keep", c_char_p),
-        ("state_seconds", c_double),
-        ("flush_seconds", c_double),
-        ("configuration", c_char_p),
-        ("seed", c_uint64),
-        ("hdf5", c_char_p),
-        ("replace", c_uint32),
-        ("reserved", c_uint32),
-    ]
-
-
-class RecordingInfo(Struct):
-    """mimo_recording_info."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("format_version", c_uint32),
-        ("same_build", c_uint32),
-        ("reserved", c_uint32),
-        ("steps", c_size_t),
-        ("states", c_size_t),
-        ("actions", c_size_t),
-        ("agents", c_size_t),
-        ("bodies", c_size_t),
-        ("step_seconds", c_double),
-        ("build", c_char_p),
-        ("this_build", c_char_p),
-        ("configuration", c_char_p),
-        ("seed", c_char_p),
-    ]
-
-
-class ReplayReport(Struct):
-    """mimo_replay_report."""
-
-    _fields_ = [
-        ("struct_size", c_uint32),
-        ("identical", c_uint32),
-        ("next", c_size_t),
-        ("steps", c_size_t),
-        ("first_difference", c_size_t),
-        ("largest_difference", c_double),
-        ("differs_most_in", c_char_p),
     ]
 
 
@@ -725,6 +556,175 @@ class SensesConfig(Struct):
     ]
 
 
+class Maturity(Struct):
+    """mimo_maturity."""
+
+    init = "mimo_maturity_init"
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("contrast_threshold", c_uint32),
+        ("acuity", c_double),
+        ("peak_contrast", c_double),
+        ("chroma", c_double),
+        ("flicker", c_double),
+        ("conduction_speed", c_double),
+        ("sensory_delay", c_double),
+        ("motor_delay", c_double),
+        ("vision_delay", c_double),
+        ("vestibular_delay", c_double),
+        ("hearing_delay", c_double),
+    ]
+
+
+class Gaze(Struct):
+    """mimo_gaze."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("meets", c_uint32),
+        ("left_position", c_double * 3),
+        ("left_direction", c_double * 3),
+        ("right_position", c_double * 3),
+        ("right_direction", c_double * 3),
+        ("vergence", c_double),
+        ("point", c_double * 3),
+        ("miss", c_double),
+    ]
+
+
+class Movement(Struct):
+    """mimo_movement."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("positions", c_void_p),
+        ("position_count", c_size_t),
+        ("forces", c_void_p),
+        ("force_count", c_size_t),
+    ]
+
+
+class Appearance(Struct):
+    """mimo_appearance."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("visible", c_uint32),
+        ("group", c_int32),
+        ("texture", c_int32),
+        ("color", c_float * 4),
+        ("emission", c_float),
+        ("specular", c_float),
+        ("shininess", c_float),
+        ("reflectance", c_float),
+    ]
+
+
+class Texture(Struct):
+    """mimo_texture."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("type", c_int32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("pixels", c_void_p),
+        ("pixel_bytes", c_size_t),
+    ]
+
+
+class Light(Struct):
+    """mimo_light."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("axes", c_int32),
+        ("active", c_uint32),
+        ("directional", c_uint32),
+        ("casts_shadow", c_uint32),
+        ("cutoff", c_float),
+        ("exponent", c_float),
+        ("position", c_float * 3),
+        ("direction", c_float * 3),
+        ("ambient", c_float * 3),
+        ("diffuse", c_float * 3),
+        ("specular", c_float * 3),
+        ("attenuation", c_float * 3),
+        ("reserved", c_uint32),
+    ]
+
+
+class Timing(Struct):
+    """mimo_timing."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("steps", c_uint64),
+        ("total", c_double),
+        ("physics", c_double),
+        ("touch", c_double),
+        ("vision", c_double),
+        ("proprioception", c_double),
+        ("vestibular", c_double),
+        ("hearing", c_double),
+    ]
+
+
+class RecorderConfig(Struct):
+    """mimo_recorder_config."""
+
+    init = "mimo_recorder_config_init"
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("compression", c_uint32),
+        ("keep", c_char_p),
+        ("state_seconds", c_double),
+        ("flush_seconds", c_double),
+        ("configuration", c_char_p),
+        ("seed", c_uint64),
+        ("hdf5", c_char_p),
+        ("replace", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class RecordingInfo(Struct):
+    """mimo_recording_info."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("format_version", c_uint32),
+        ("same_build", c_uint32),
+        ("reserved", c_uint32),
+        ("steps", c_size_t),
+        ("states", c_size_t),
+        ("actions", c_size_t),
+        ("agents", c_size_t),
+        ("bodies", c_size_t),
+        ("step_seconds", c_double),
+        ("build", c_char_p),
+        ("this_build", c_char_p),
+        ("configuration", c_char_p),
+        ("seed", c_char_p),
+    ]
+
+
+class ReplayReport(Struct):
+    """mimo_replay_report."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("identical", c_uint32),
+        ("next", c_size_t),
+        ("steps", c_size_t),
+        ("first_difference", c_size_t),
+        ("largest_difference", c_double),
+        ("differs_most_in", c_char_p),
+    ]
+
+
 # name: (result, arguments)
 FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_abi_version": (c_uint32, []),
@@ -766,14 +766,6 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_limits_init": (c_int32, [POINTER(Limits), c_size_t]),
     "mimo_scene_limit_sense": (c_int32, [c_void_p, c_size_t, c_char_p, POINTER(Limits)]),
     "mimo_scene_limit_motor": (c_int32, [c_void_p, c_size_t, c_char_p, POINTER(Limits)]),
-    "mimo_maturity_init": (c_int32, [POINTER(Maturity), c_size_t]),
-    "mimo_maturity_at": (c_int32, [c_double, POINTER(Maturity), c_size_t]),
-    "mimo_scene_set_maturity": (c_int32, [c_void_p, c_size_t, POINTER(Maturity)]),
-    "mimo_scene_set_sensory_delay": (c_int32, [c_void_p, c_size_t, c_char_p, c_double]),
-    "mimo_scene_set_room_temperature": (c_int32, [c_void_p, c_double]),
-    "mimo_scene_set_temperature": (c_int32, [c_void_p, c_char_p, c_double]),
-    "mimo_scene_set_material": (c_int32, [c_void_p, c_char_p, c_char_p]),
-    "mimo_material_name": (c_char_p, [c_size_t]),
     "mimo_layout_describe": (c_int32, [c_void_p, POINTER(LayoutInfo)]),
     "mimo_layout_field": (c_int32, [c_void_p, c_size_t, POINTER(Field)]),
     "mimo_layout_find": (c_int32, [c_void_p, c_char_p, POINTER(c_size_t)]),
@@ -794,13 +786,10 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_agent": (c_int32, [c_void_p, c_size_t, POINTER(AgentInfo)]),
     "mimo_env_reset": (c_int32, [c_void_p, POINTER(ResetConfig), c_void_p, c_size_t]),
     "mimo_env_step": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p, c_size_t, POINTER(EnvResults)]),
-    "mimo_env_follow": (c_int32, [c_void_p, POINTER(Movement), c_void_p, c_size_t]),
     "mimo_env_observe": (c_int32, [c_void_p, c_void_p, c_size_t]),
     "mimo_env_physics_step": (c_int32, [c_void_p, c_size_t]),
     "mimo_env_time": (c_int32, [c_void_p, POINTER(c_double)]),
     "mimo_env_timestep": (c_int32, [c_void_p, POINTER(c_double)]),
-    "mimo_env_timing": (c_int32, [c_void_p, POINTER(Timing)]),
-    "mimo_env_timing_reset": (c_int32, [c_void_p]),
     "mimo_env_count": (c_int32, [c_void_p, c_int32, POINTER(c_size_t)]),
     "mimo_env_find": (c_int32, [c_void_p, c_int32, c_char_p, POINTER(c_int32)]),
     "mimo_env_name": (c_int32, [c_void_p, c_int32, c_int32, POINTER(c_char_p)]),
@@ -815,16 +804,6 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_poses": (c_int32, [c_void_p, c_int32, c_int32, c_void_p, c_size_t]),
     "mimo_mesh_init": (c_int32, [POINTER(Mesh), c_size_t]),
     "mimo_env_mesh": (c_int32, [c_void_p, c_int32, POINTER(Mesh)]),
-    "mimo_env_appearance": (c_int32, [c_void_p, c_int32, POINTER(Appearance)]),
-    "mimo_env_texture_count": (c_int32, [c_void_p, POINTER(c_size_t)]),
-    "mimo_env_texture": (c_int32, [c_void_p, c_int32, POINTER(Texture)]),
-    "mimo_env_light": (c_int32, [c_void_p, c_int32, POINTER(Light)]),
-    "mimo_env_gaze": (c_int32, [c_void_p, c_size_t, POINTER(Gaze)]),
-    "mimo_env_look_angles": (
-        c_int32,
-        [c_void_p, c_size_t, c_void_p, c_int32, c_void_p, c_void_p, c_size_t, POINTER(c_size_t), POINTER(c_double)],
-    ),
-    "mimo_env_look_at": (c_int32, [c_void_p, c_size_t, c_void_p, c_int32, POINTER(c_double)]),
     "mimo_picture_config_init": (c_int32, [POINTER(PictureConfig), c_size_t]),
     "mimo_env_render": (c_int32, [c_void_p, POINTER(PictureConfig), POINTER(Picture)]),
     "mimo_env_project": (c_int32, [c_void_p, POINTER(PictureConfig), c_void_p, c_size_t, POINTER(c_double)]),
@@ -832,18 +811,6 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_state_save": (c_int32, [c_void_p, c_void_p, c_size_t]),
     "mimo_env_state_load": (c_int32, [c_void_p, c_void_p, c_size_t, POINTER(LoadReport)]),
     "mimo_env_clone": (c_int32, [c_void_p, POINTER(c_void_p)]),
-    "mimo_recorder_config_init": (c_int32, [POINTER(RecorderConfig), c_size_t]),
-    "mimo_recorder_open": (c_int32, [c_void_p, c_char_p, POINTER(RecorderConfig), POINTER(c_void_p)]),
-    "mimo_recorder_flush": (c_int32, [c_void_p]),
-    "mimo_recorder_close": (c_int32, [c_void_p]),
-    "mimo_recording_open": (c_int32, [c_char_p, c_char_p, POINTER(c_void_p)]),
-    "mimo_recording_destroy": (None, [c_void_p]),
-    "mimo_recording_describe": (c_int32, [c_void_p, POINTER(RecordingInfo)]),
-    "mimo_recording_size": (c_int32, [c_void_p, c_char_p, POINTER(c_size_t), POINTER(c_size_t)]),
-    "mimo_recording_read": (c_int32, [c_void_p, c_char_p, c_size_t, c_size_t, c_void_p, c_size_t]),
-    "mimo_recording_seek": (c_int32, [c_void_p, c_void_p, c_size_t, c_uint32, POINTER(c_size_t)]),
-    "mimo_recording_step": (c_int32, [c_void_p, c_void_p, c_void_p, c_size_t, POINTER(EnvResults)]),
-    "mimo_recording_report": (c_int32, [c_void_p, POINTER(ReplayReport)]),
     "mimo_batch_config_init": (c_int32, [POINTER(BatchConfig), c_size_t]),
     "mimo_batch_create": (c_int32, [c_void_p, POINTER(EnvConfig), POINTER(BatchConfig), POINTER(c_void_p)]),
     "mimo_batch_destroy": (None, [c_void_p]),
@@ -878,12 +845,45 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_senses_reset": (c_int32, [c_void_p, c_void_p, POINTER(ResetConfig)]),
     "mimo_senses_advance": (c_int32, [c_void_p, c_void_p]),
     "mimo_senses_observe": (c_int32, [c_void_p, c_void_p, c_void_p, c_size_t]),
-    "mimo_senses_drive_spindles": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p, c_size_t]),
     "mimo_senses_state_size": (c_int32, [c_void_p, POINTER(c_size_t)]),
     "mimo_senses_state_save": (c_int32, [c_void_p, c_void_p, c_size_t]),
     "mimo_senses_state_load": (c_int32, [c_void_p, c_void_p, c_size_t, POINTER(LoadReport)]),
+    "mimo_senses_drive_spindles": (c_int32, [c_void_p, c_void_p, c_size_t, c_void_p, c_size_t]),
+    "mimo_maturity_init": (c_int32, [POINTER(Maturity), c_size_t]),
+    "mimo_maturity_at": (c_int32, [c_double, POINTER(Maturity), c_size_t]),
+    "mimo_scene_set_maturity": (c_int32, [c_void_p, c_size_t, POINTER(Maturity)]),
+    "mimo_scene_set_sensory_delay": (c_int32, [c_void_p, c_size_t, c_char_p, c_double]),
     "mimo_scene_set_sources": (c_int32, [c_void_p, c_size_t, c_double]),
     "mimo_scene_direct_source": (c_int32, [c_void_p, c_char_p, c_void_p, c_void_p, c_double]),
     "mimo_env_play": (c_int32, [c_void_p, c_char_p, c_void_p, c_size_t, c_double]),
     "mimo_senses_play": (c_int32, [c_void_p, c_char_p, c_void_p, c_size_t, c_double]),
+    "mimo_scene_set_room_temperature": (c_int32, [c_void_p, c_double]),
+    "mimo_scene_set_temperature": (c_int32, [c_void_p, c_char_p, c_double]),
+    "mimo_scene_set_material": (c_int32, [c_void_p, c_char_p, c_char_p]),
+    "mimo_material_name": (c_char_p, [c_size_t]),
+    "mimo_env_gaze": (c_int32, [c_void_p, c_size_t, POINTER(Gaze)]),
+    "mimo_env_look_angles": (
+        c_int32,
+        [c_void_p, c_size_t, c_void_p, c_int32, c_void_p, c_void_p, c_size_t, POINTER(c_size_t), POINTER(c_double)],
+    ),
+    "mimo_env_look_at": (c_int32, [c_void_p, c_size_t, c_void_p, c_int32, POINTER(c_double)]),
+    "mimo_env_follow": (c_int32, [c_void_p, POINTER(Movement), c_void_p, c_size_t]),
+    "mimo_env_appearance": (c_int32, [c_void_p, c_int32, POINTER(Appearance)]),
+    "mimo_env_texture_count": (c_int32, [c_void_p, POINTER(c_size_t)]),
+    "mimo_env_texture": (c_int32, [c_void_p, c_int32, POINTER(Texture)]),
+    "mimo_env_light": (c_int32, [c_void_p, c_int32, POINTER(Light)]),
+    "mimo_env_timing": (c_int32, [c_void_p, POINTER(Timing)]),
+    "mimo_env_timing_reset": (c_int32, [c_void_p]),
+    "mimo_recorder_config_init": (c_int32, [POINTER(RecorderConfig), c_size_t]),
+    "mimo_recorder_open": (c_int32, [c_void_p, c_char_p, POINTER(RecorderConfig), POINTER(c_void_p)]),
+    "mimo_recorder_flush": (c_int32, [c_void_p]),
+    "mimo_recorder_close": (c_int32, [c_void_p]),
+    "mimo_recording_open": (c_int32, [c_char_p, c_char_p, POINTER(c_void_p)]),
+    "mimo_recording_destroy": (None, [c_void_p]),
+    "mimo_recording_describe": (c_int32, [c_void_p, POINTER(RecordingInfo)]),
+    "mimo_recording_size": (c_int32, [c_void_p, c_char_p, POINTER(c_size_t), POINTER(c_size_t)]),
+    "mimo_recording_read": (c_int32, [c_void_p, c_char_p, c_size_t, c_size_t, c_void_p, c_size_t]),
+    "mimo_recording_seek": (c_int32, [c_void_p, c_void_p, c_size_t, c_uint32, POINTER(c_size_t)]),
+    "mimo_recording_step": (c_int32, [c_void_p, c_void_p, c_void_p, c_size_t, POINTER(EnvResults)]),
+    "mimo_recording_report": (c_int32, [c_void_p, POINTER(ReplayReport)]),
 }

@@ -220,6 +220,9 @@ class Proprioception(IntFlag):
     EFFORT = 0x40
     """proprioception/effort, 0 to 1: see docs/guide/muscles.md."""
 
+    ALL = 0x80000000
+    """All bits of the loaded library."""
+
     SPINDLE_PRIMARY = 0x80
     """Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
     proprioception/spindle_primary, two muscles per motor: Ia. Experimental.
@@ -233,9 +236,6 @@ class Proprioception(IntFlag):
 
     JOINT_RECEPTOR = 0x400
     """proprioception/joint_receptor, joints x 2: near its ends. Experimental."""
-
-    ALL = 0x80000000
-    """All bits of the loaded library."""
 
 
 class Vision(IntFlag):
@@ -640,11 +640,6 @@ class Quantity(IntEnum):
     BODY_POSE = 263
     """Body: 7, position and orientation. Writable as Quantity.BODY_POSITION."""
 
-    BODY_NERVE_LENGTH = 264
-    """Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
-    their way; 0 for what is no part of one. Experimental.
-    """
-
     JOINT_POSITION = 513
     """Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable."""
 
@@ -722,12 +717,6 @@ class Quantity(IntEnum):
     ACTUATOR_GEAR = 1539
     """Actuator: 1, Nm at control 1. Writable, W."""
 
-    ACTUATOR_FUSIMOTOR_DRIVE = 1540
-    """Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
-    pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
-    agent senses no spindles, Proprioception.SPINDLE_PRIMARY or _SECONDARY. Writable. Experimental.
-    """
-
     SENSOR_VALUE = 1793
     """Sensor: its dimension."""
 
@@ -796,11 +785,22 @@ class Quantity(IntEnum):
     AGENT_AGE = 2820
     """Agent: 1, months, as GrowthOptions says: of size and mass. None where the agent is no infant."""
 
-    AGENT_PHYSIOLOGICAL_AGE = 2821
-    """Agent: 1, months, of strength, range of motion and tone; likewise. Experimental."""
-
     WORLD_GRAVITY = 3329
     """World: 3, m/s^2, world frame. Writable, W."""
+
+    BODY_NERVE_LENGTH = 264
+    """Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
+    their way; 0 for what is no part of one. Experimental.
+    """
+
+    ACTUATOR_FUSIMOTOR_DRIVE = 1540
+    """Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
+    pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
+    agent senses no spindles, Proprioception.SPINDLE_PRIMARY or _SECONDARY. Writable. Experimental.
+    """
+
+    AGENT_PHYSIOLOGICAL_AGE = 2821
+    """Agent: 1, months, of strength, range of motion and tone; likewise. Experimental."""
 
     WARNING_STEPS = 3585
     """Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable

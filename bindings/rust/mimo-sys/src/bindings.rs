@@ -80,46 +80,6 @@ pub const MIMO_LOG_WARNING: i32 = 1;
 /// Useful to know, told once.
 pub const MIMO_LOG_INFO: i32 = 2;
 
-/// More contacts than the model's nconmax: some are missing.
-///
-/// Experimental.
-pub const MIMO_WARNING_CONTACTS_DROPPED: i32 = 1;
-
-/// More constraints than the model's njmax: some are missing.
-///
-/// Experimental.
-pub const MIMO_WARNING_CONSTRAINTS_DROPPED: i32 = 2;
-
-/// A position is not a number, or huge: the world has failed.
-///
-/// Experimental.
-pub const MIMO_WARNING_BAD_POSITION: i32 = 3;
-
-/// The same for a velocity.
-///
-/// Experimental.
-pub const MIMO_WARNING_BAD_VELOCITY: i32 = 4;
-
-/// The same for an acceleration.
-///
-/// Experimental.
-pub const MIMO_WARNING_BAD_ACCELERATION: i32 = 5;
-
-/// A control is not a number, or huge: the step used 0 for all controls.
-///
-/// Experimental.
-pub const MIMO_WARNING_BAD_CONTROL: i32 = 6;
-
-/// The inertia matrix is nearly singular.
-///
-/// Experimental.
-pub const MIMO_WARNING_INERTIA: i32 = 7;
-
-/// The solver stopped at its last iteration; counted, not logged.
-///
-/// Experimental.
-pub const MIMO_WARNING_NOT_CONVERGED: i32 = 8;
-
 /// size: radius.
 pub const MIMO_SHAPE_SPHERE: i32 = 1;
 
@@ -144,46 +104,6 @@ pub const MIMO_SEX_FEMALE: i32 = 1;
 /// A boy.
 pub const MIMO_SEX_MALE: i32 = 2;
 
-/// The WHO's child growth standards and measured infants: docs/guide/growth.md.
-///
-/// Experimental.
-pub const MIMO_GROWTH_WHO: i32 = 0;
-
-/// The rules of MIMo's second version, for comparison.
-///
-/// Experimental.
-pub const MIMO_GROWTH_ORIGINAL: i32 = 1;
-
-/// Size, mass, strength and joints. 0 means this bit.
-///
-/// Experimental.
-pub const MIMO_MATURITY_BODY: u32 = 1;
-
-/// Its eyes' acuity and colour, by its physiological age: mimo_maturity_at.
-///
-/// Experimental.
-pub const MIMO_MATURITY_EYES: u32 = 2;
-
-/// The delays of its nerves to and from the brain, by its physiological age.
-///
-/// Experimental.
-pub const MIMO_MATURITY_DELAYS: u32 = 4;
-
-/// With _EYES: contrasts below the threshold disappear.
-///
-/// Experimental.
-pub const MIMO_MATURITY_THRESHOLD: u32 = 8;
-
-/// With _EYES: changes above the flicker limit are blurred.
-///
-/// Experimental.
-pub const MIMO_MATURITY_FLICKER: u32 = 16;
-
-/// All bits of the loaded library except _THRESHOLD and _FLICKER.
-///
-/// Experimental.
-pub const MIMO_MATURITY_ALL: u32 = 2147483648;
-
 /// Joint velocities, rad/s.
 pub const MIMO_PROPRIOCEPTION_VELOCITY: u32 = 1;
 
@@ -205,27 +125,6 @@ pub const MIMO_PROPRIOCEPTION_POSITION: u32 = 32;
 /// proprioception/effort, 0 to 1: see docs/guide/muscles.md.
 pub const MIMO_PROPRIOCEPTION_EFFORT: u32 = 64;
 
-/// Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
-/// proprioception/spindle_primary, two muscles per motor: Ia.
-///
-/// Experimental.
-pub const MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY: u32 = 128;
-
-/// proprioception/spindle_secondary, the same shape: II.
-///
-/// Experimental.
-pub const MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY: u32 = 256;
-
-/// proprioception/tendon_organ, the same shape: Ib.
-///
-/// Experimental.
-pub const MIMO_PROPRIOCEPTION_TENDON_ORGAN: u32 = 512;
-
-/// proprioception/joint_receptor, joints x 2: near its ends.
-///
-/// Experimental.
-pub const MIMO_PROPRIOCEPTION_JOINT_RECEPTOR: u32 = 1024;
-
 /// All bits of the loaded library.
 pub const MIMO_PROPRIOCEPTION_ALL: u32 = 2147483648;
 
@@ -243,31 +142,6 @@ pub const MIMO_VESTIBULAR_ACCELERATION: u32 = 1;
 
 /// vestibular/angular_velocity, 3, rad/s.
 pub const MIMO_VESTIBULAR_ANGULAR_VELOCITY: u32 = 2;
-
-/// vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md.
-///
-/// Experimental.
-pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
-
-/// vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md.
-///
-/// Experimental.
-pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
-
-/// vestibular/gravity, 3, m/s^2: the estimated direction of up.
-///
-/// Experimental.
-pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
-
-/// hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa.
-///
-/// Experimental.
-pub const MIMO_HEARING_EARS: u32 = 1;
-
-/// hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s.
-///
-/// Experimental.
-pub const MIMO_HEARING_BANDS: u32 = 2;
 
 /// The scene's own place for an infant.
 pub const MIMO_PLACE_SCENE: i32 = 0;
@@ -340,52 +214,6 @@ pub const MIMO_ACT_ALL: u32 = 2147483648;
 /// No motor; excludes the other bits.
 pub const MIMO_ACT_NONE: u32 = 1073741824;
 
-/// Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. Fingers close
-/// on pressure on the palm; needs five fingers.
-///
-/// Experimental.
-pub const MIMO_REFLEX_PALMAR_GRASP: u32 = 1;
-
-/// Toes curl on pressure on the ball of the foot.
-///
-/// Experimental.
-pub const MIMO_REFLEX_PLANTAR_GRASP: u32 = 2;
-
-/// The head turns towards a touch at a corner of the mouth.
-///
-/// Experimental.
-pub const MIMO_REFLEX_ROOTING: u32 = 4;
-
-/// The head drops: arms open, then close.
-///
-/// Experimental.
-pub const MIMO_REFLEX_MORO: u32 = 8;
-
-/// The head turns: limbs stretch on that side, bend on the other.
-///
-/// Experimental.
-pub const MIMO_REFLEX_ASYMMETRIC_TONIC_NECK: u32 = 16;
-
-/// Upright on its feet, leaning forward: legs step in turn.
-///
-/// Experimental.
-pub const MIMO_REFLEX_STEPPING: u32 = 32;
-
-/// Legs draw back from a touch or a prick.
-///
-/// Experimental.
-pub const MIMO_REFLEX_WITHDRAWAL: u32 = 64;
-
-/// reflex/activation has all reflexes that this body can show.
-///
-/// Experimental.
-pub const MIMO_REFLEX_FELT: u32 = 1073741824;
-
-/// All reflexes of the loaded library that this body can show.
-///
-/// Experimental.
-pub const MIMO_REFLEX_ALL: u32 = 2147483648;
-
 /// touch/force, N x 3: normal force and friction, N.
 pub const MIMO_TOUCH_FORCE: u32 = 1;
 
@@ -397,57 +225,6 @@ pub const MIMO_TOUCH_SLIP: u32 = 4;
 
 /// touch/friction_use, N x 1: share of the possible friction in use, 0 to 1.
 pub const MIMO_TOUCH_FRICTION_USE: u32 = 8;
-
-/// Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise; off by default.
-/// touch/sa1: depth of indentation.
-///
-/// Experimental.
-pub const MIMO_TOUCH_SA1: u32 = 16;
-
-/// touch/ra: speed of indentation, and sliding.
-///
-/// Experimental.
-pub const MIMO_TOUCH_RA: u32 = 32;
-
-/// touch/pc: jolts and vibration, as an envelope.
-///
-/// Experimental.
-pub const MIMO_TOUCH_PC: u32 = 64;
-
-/// touch/sa2, N x 2: stretch along the sensor's two tangents.
-///
-/// Experimental.
-pub const MIMO_TOUCH_SA2: u32 = 128;
-
-/// touch/temperature: of the skin's surface, degrees Celsius.
-///
-/// Experimental.
-pub const MIMO_TOUCH_TEMPERATURE: u32 = 256;
-
-/// touch/cold.
-///
-/// Experimental.
-pub const MIMO_TOUCH_COLD: u32 = 512;
-
-/// touch/warm.
-///
-/// Experimental.
-pub const MIMO_TOUCH_WARM: u32 = 1024;
-
-/// touch/nociception_fast: pricks and heat, at once.
-///
-/// Experimental.
-pub const MIMO_TOUCH_NOCICEPTION_FAST: u32 = 2048;
-
-/// touch/nociception_slow: pricks, heat and cold, late and lasting.
-///
-/// Experimental.
-pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
-
-/// touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor.
-///
-/// Experimental.
-pub const MIMO_TOUCH_UNITS: u32 = 8192;
 
 /// The nearest sensor feels the whole touch.
 pub const MIMO_RESPONSE_NEAREST: i32 = 1;
@@ -493,56 +270,11 @@ pub const MIMO_RECEPTOR_POSITION: i32 = 8195;
 /// A receptor that represents a whole small geom lies in its middle, and its normal is the body's x axis.
 pub const MIMO_RECEPTOR_FRAME: i32 = 8196;
 
-/// The model's setting; built-in scenes use sparse.
-///
-/// Experimental.
-pub const MIMO_JACOBIAN_MODEL: i32 = 0;
-
-/// The original's solver, for comparing trajectories to the last digit.
-///
-/// Experimental.
-pub const MIMO_JACOBIAN_DENSE: i32 = 1;
-
-/// The same solution up to rounding, about twice as fast.
-///
-/// Experimental.
-pub const MIMO_JACOBIAN_SPARSE: i32 = 2;
-
 /// No contacts.
 pub const MIMO_DISABLE_CONTACT: u32 = 1;
 
 /// No gravity.
 pub const MIMO_DISABLE_GRAVITY: u32 = 2;
-
-/// MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower.
-///
-/// Experimental.
-pub const MIMO_DISABLE_OWN_SOLVER: u32 = 4;
-
-/// Lights cast shadows.
-///
-/// Experimental.
-pub const MIMO_RENDER_SHADOWS: u32 = 1;
-
-/// Floors and boxes may mirror the scene.
-///
-/// Experimental.
-pub const MIMO_RENDER_REFLECTIONS: u32 = 2;
-
-/// The scene's sky; without it the background is black.
-///
-/// Experimental.
-pub const MIMO_RENDER_SKY: u32 = 4;
-
-/// Haze at the horizon of an endless floor.
-///
-/// Experimental.
-pub const MIMO_RENDER_HAZE: u32 = 8;
-
-/// Fog, as the scene's MJCF describes it.
-///
-/// Experimental.
-pub const MIMO_RENDER_FOG: u32 = 16;
 
 /// Neither.
 pub const MIMO_OUTCOME_NONE: i32 = 0;
@@ -592,11 +324,6 @@ pub const MIMO_FACE: i32 = 12;
 /// The world itself: id 0, without a name.
 pub const MIMO_WORLD: i32 = 13;
 
-/// Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one.
-///
-/// Experimental.
-pub const MIMO_WARNING: i32 = 14;
-
 /// Body: 3, of its frame's origin, world, m. Writable with a free joint; W for one that stands on the world without
 /// joints.
 pub const MIMO_BODY_POSITION: i32 = 257;
@@ -618,12 +345,6 @@ pub const MIMO_BODY_CENTER_OF_MASS: i32 = 262;
 
 /// Body: 7, position and orientation. Writable as MIMO_BODY_POSITION.
 pub const MIMO_BODY_POSE: i32 = 263;
-
-/// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
-/// way; 0 for what is no part of one.
-///
-/// Experimental.
-pub const MIMO_BODY_NERVE_LENGTH: i32 = 264;
 
 /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
 pub const MIMO_JOINT_POSITION: i32 = 513;
@@ -698,13 +419,6 @@ pub const MIMO_ACTUATOR_FORCE: i32 = 1538;
 /// Actuator: 1, Nm at control 1. Writable, W.
 pub const MIMO_ACTUATOR_GEAR: i32 = 1539;
 
-/// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
-/// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
-/// agent senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
-///
-/// Experimental.
-pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: i32 = 1540;
-
 /// Sensor: its dimension.
 pub const MIMO_SENSOR_VALUE: i32 = 1793;
 
@@ -772,19 +486,8 @@ pub const MIMO_AGENT_ACHIEVED: i32 = 2819;
 /// Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
 pub const MIMO_AGENT_AGE: i32 = 2820;
 
-/// Agent: 1, months, of strength, range of motion and tone; likewise.
-///
-/// Experimental.
-pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: i32 = 2821;
-
 /// World: 3, m/s^2, world frame. Writable, W.
 pub const MIMO_WORLD_GRAVITY: i32 = 3329;
-
-/// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
-/// with 0, to count anew.
-///
-/// Experimental.
-pub const MIMO_WARNING_STEPS: i32 = 3585;
 
 /// Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed
 /// by asking. For poses, positions, orientations, centres of mass and velocities, and for what is always current.
@@ -804,6 +507,234 @@ pub const MIMO_AXES_GODOT: i32 = 3;
 
 /// Right-handed: x left, y up, z forward: glTF, three.js.
 pub const MIMO_AXES_GLTF: i32 = 4;
+
+/// Four bytes per pixel, the last one 255.
+pub const MIMO_PICTURE_RGBA: u32 = 1;
+
+/// Row 0 is the bottom, as in OpenGL's textures; also for depth.
+pub const MIMO_PICTURE_BOTTOM_UP: u32 = 2;
+
+/// Worlds continue after the end of an episode, until mimo_batch_reset.
+pub const MIMO_AUTORESET_NONE: i32 = 0;
+
+/// The step after the end of an episode starts a new one instead of acting: its reward, flags, outcome and terms are
+/// 0, and its block is the reset's.
+pub const MIMO_AUTORESET_NEXT_STEP: i32 = 1;
+
+/// The step that ends an episode also starts the next one: reward and flags belong to the old episode, the block is
+/// the first of the new one, and the last block of the old one goes to final_blocks.
+pub const MIMO_AUTORESET_SAME_STEP: i32 = 2;
+
+/// Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
+/// proprioception/spindle_primary, two muscles per motor: Ia.
+///
+/// Experimental.
+pub const MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY: u32 = 128;
+
+/// proprioception/spindle_secondary, the same shape: II.
+///
+/// Experimental.
+pub const MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY: u32 = 256;
+
+/// proprioception/tendon_organ, the same shape: Ib.
+///
+/// Experimental.
+pub const MIMO_PROPRIOCEPTION_TENDON_ORGAN: u32 = 512;
+
+/// proprioception/joint_receptor, joints x 2: near its ends.
+///
+/// Experimental.
+pub const MIMO_PROPRIOCEPTION_JOINT_RECEPTOR: u32 = 1024;
+
+/// vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md.
+///
+/// Experimental.
+pub const MIMO_VESTIBULAR_CANALS: u32 = 4;
+
+/// vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md.
+///
+/// Experimental.
+pub const MIMO_VESTIBULAR_OTOLITHS: u32 = 8;
+
+/// vestibular/gravity, 3, m/s^2: the estimated direction of up.
+///
+/// Experimental.
+pub const MIMO_VESTIBULAR_GRAVITY: u32 = 16;
+
+/// Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise; off by default.
+/// touch/sa1: depth of indentation.
+///
+/// Experimental.
+pub const MIMO_TOUCH_SA1: u32 = 16;
+
+/// touch/ra: speed of indentation, and sliding.
+///
+/// Experimental.
+pub const MIMO_TOUCH_RA: u32 = 32;
+
+/// touch/pc: jolts and vibration, as an envelope.
+///
+/// Experimental.
+pub const MIMO_TOUCH_PC: u32 = 64;
+
+/// touch/sa2, N x 2: stretch along the sensor's two tangents.
+///
+/// Experimental.
+pub const MIMO_TOUCH_SA2: u32 = 128;
+
+/// touch/temperature: of the skin's surface, degrees Celsius.
+///
+/// Experimental.
+pub const MIMO_TOUCH_TEMPERATURE: u32 = 256;
+
+/// touch/cold.
+///
+/// Experimental.
+pub const MIMO_TOUCH_COLD: u32 = 512;
+
+/// touch/warm.
+///
+/// Experimental.
+pub const MIMO_TOUCH_WARM: u32 = 1024;
+
+/// touch/nociception_fast: pricks and heat, at once.
+///
+/// Experimental.
+pub const MIMO_TOUCH_NOCICEPTION_FAST: u32 = 2048;
+
+/// touch/nociception_slow: pricks, heat and cold, late and lasting.
+///
+/// Experimental.
+pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
+
+/// touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor.
+///
+/// Experimental.
+pub const MIMO_TOUCH_UNITS: u32 = 8192;
+
+/// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
+/// way; 0 for what is no part of one.
+///
+/// Experimental.
+pub const MIMO_BODY_NERVE_LENGTH: i32 = 264;
+
+/// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
+/// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its
+/// agent senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
+///
+/// Experimental.
+pub const MIMO_ACTUATOR_FUSIMOTOR_DRIVE: i32 = 1540;
+
+/// Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. Fingers close
+/// on pressure on the palm; needs five fingers.
+///
+/// Experimental.
+pub const MIMO_REFLEX_PALMAR_GRASP: u32 = 1;
+
+/// Toes curl on pressure on the ball of the foot.
+///
+/// Experimental.
+pub const MIMO_REFLEX_PLANTAR_GRASP: u32 = 2;
+
+/// The head turns towards a touch at a corner of the mouth.
+///
+/// Experimental.
+pub const MIMO_REFLEX_ROOTING: u32 = 4;
+
+/// The head drops: arms open, then close.
+///
+/// Experimental.
+pub const MIMO_REFLEX_MORO: u32 = 8;
+
+/// The head turns: limbs stretch on that side, bend on the other.
+///
+/// Experimental.
+pub const MIMO_REFLEX_ASYMMETRIC_TONIC_NECK: u32 = 16;
+
+/// Upright on its feet, leaning forward: legs step in turn.
+///
+/// Experimental.
+pub const MIMO_REFLEX_STEPPING: u32 = 32;
+
+/// Legs draw back from a touch or a prick.
+///
+/// Experimental.
+pub const MIMO_REFLEX_WITHDRAWAL: u32 = 64;
+
+/// reflex/activation has all reflexes that this body can show.
+///
+/// Experimental.
+pub const MIMO_REFLEX_FELT: u32 = 1073741824;
+
+/// All reflexes of the loaded library that this body can show.
+///
+/// Experimental.
+pub const MIMO_REFLEX_ALL: u32 = 2147483648;
+
+/// The WHO's child growth standards and measured infants: docs/guide/growth.md.
+///
+/// Experimental.
+pub const MIMO_GROWTH_WHO: i32 = 0;
+
+/// The rules of MIMo's second version, for comparison.
+///
+/// Experimental.
+pub const MIMO_GROWTH_ORIGINAL: i32 = 1;
+
+/// Size, mass, strength and joints. 0 means this bit.
+///
+/// Experimental.
+pub const MIMO_MATURITY_BODY: u32 = 1;
+
+/// Its eyes' acuity and colour, by its physiological age: mimo_maturity_at.
+///
+/// Experimental.
+pub const MIMO_MATURITY_EYES: u32 = 2;
+
+/// The delays of its nerves to and from the brain, by its physiological age.
+///
+/// Experimental.
+pub const MIMO_MATURITY_DELAYS: u32 = 4;
+
+/// With _EYES: contrasts below the threshold disappear.
+///
+/// Experimental.
+pub const MIMO_MATURITY_THRESHOLD: u32 = 8;
+
+/// With _EYES: changes above the flicker limit are blurred.
+///
+/// Experimental.
+pub const MIMO_MATURITY_FLICKER: u32 = 16;
+
+/// All bits of the loaded library except _THRESHOLD and _FLICKER.
+///
+/// Experimental.
+pub const MIMO_MATURITY_ALL: u32 = 2147483648;
+
+/// Agent: 1, months, of strength, range of motion and tone; likewise.
+///
+/// Experimental.
+pub const MIMO_AGENT_PHYSIOLOGICAL_AGE: i32 = 2821;
+
+/// hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa.
+///
+/// Experimental.
+pub const MIMO_HEARING_EARS: u32 = 1;
+
+/// hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s.
+///
+/// Experimental.
+pub const MIMO_HEARING_BANDS: u32 = 2;
+
+/// Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down.
+///
+/// Experimental.
+pub const MIMO_LOOK_EYES: i32 = 0;
+
+/// The head turns first, the eyes turn the rest.
+///
+/// Experimental.
+pub const MIMO_LOOK_HEAD: i32 = 1;
 
 /// One picture, repeated beyond its edges.
 ///
@@ -825,32 +756,101 @@ pub const MIMO_TEXTURE_SKY: i32 = 2;
 /// Experimental.
 pub const MIMO_HEADLIGHT: i32 = -1;
 
-/// Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down.
+/// The model's setting; built-in scenes use sparse.
 ///
 /// Experimental.
-pub const MIMO_LOOK_EYES: i32 = 0;
+pub const MIMO_JACOBIAN_MODEL: i32 = 0;
 
-/// The head turns first, the eyes turn the rest.
+/// The original's solver, for comparing trajectories to the last digit.
 ///
 /// Experimental.
-pub const MIMO_LOOK_HEAD: i32 = 1;
+pub const MIMO_JACOBIAN_DENSE: i32 = 1;
 
-/// Four bytes per pixel, the last one 255.
-pub const MIMO_PICTURE_RGBA: u32 = 1;
+/// The same solution up to rounding, about twice as fast.
+///
+/// Experimental.
+pub const MIMO_JACOBIAN_SPARSE: i32 = 2;
 
-/// Row 0 is the bottom, as in OpenGL's textures; also for depth.
-pub const MIMO_PICTURE_BOTTOM_UP: u32 = 2;
+/// MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower.
+///
+/// Experimental.
+pub const MIMO_DISABLE_OWN_SOLVER: u32 = 4;
 
-/// Worlds continue after the end of an episode, until mimo_batch_reset.
-pub const MIMO_AUTORESET_NONE: i32 = 0;
+/// Lights cast shadows.
+///
+/// Experimental.
+pub const MIMO_RENDER_SHADOWS: u32 = 1;
 
-/// The step after the end of an episode starts a new one instead of acting: its reward, flags, outcome and terms are
-/// 0, and its block is the reset's.
-pub const MIMO_AUTORESET_NEXT_STEP: i32 = 1;
+/// Floors and boxes may mirror the scene.
+///
+/// Experimental.
+pub const MIMO_RENDER_REFLECTIONS: u32 = 2;
 
-/// The step that ends an episode also starts the next one: reward and flags belong to the old episode, the block is
-/// the first of the new one, and the last block of the old one goes to final_blocks.
-pub const MIMO_AUTORESET_SAME_STEP: i32 = 2;
+/// The scene's sky; without it the background is black.
+///
+/// Experimental.
+pub const MIMO_RENDER_SKY: u32 = 4;
+
+/// Haze at the horizon of an endless floor.
+///
+/// Experimental.
+pub const MIMO_RENDER_HAZE: u32 = 8;
+
+/// Fog, as the scene's MJCF describes it.
+///
+/// Experimental.
+pub const MIMO_RENDER_FOG: u32 = 16;
+
+/// More contacts than the model's nconmax: some are missing.
+///
+/// Experimental.
+pub const MIMO_WARNING_CONTACTS_DROPPED: i32 = 1;
+
+/// More constraints than the model's njmax: some are missing.
+///
+/// Experimental.
+pub const MIMO_WARNING_CONSTRAINTS_DROPPED: i32 = 2;
+
+/// A position is not a number, or huge: the world has failed.
+///
+/// Experimental.
+pub const MIMO_WARNING_BAD_POSITION: i32 = 3;
+
+/// The same for a velocity.
+///
+/// Experimental.
+pub const MIMO_WARNING_BAD_VELOCITY: i32 = 4;
+
+/// The same for an acceleration.
+///
+/// Experimental.
+pub const MIMO_WARNING_BAD_ACCELERATION: i32 = 5;
+
+/// A control is not a number, or huge: the step used 0 for all controls.
+///
+/// Experimental.
+pub const MIMO_WARNING_BAD_CONTROL: i32 = 6;
+
+/// The inertia matrix is nearly singular.
+///
+/// Experimental.
+pub const MIMO_WARNING_INERTIA: i32 = 7;
+
+/// The solver stopped at its last iteration; counted, not logged.
+///
+/// Experimental.
+pub const MIMO_WARNING_NOT_CONVERGED: i32 = 8;
+
+/// Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one.
+///
+/// Experimental.
+pub const MIMO_WARNING: i32 = 14;
+
+/// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
+/// with 0, to count anew.
+///
+/// Experimental.
+pub const MIMO_WARNING_STEPS: i32 = 3585;
 
 /// Result of a call: MIMO_OK or one of the negative MIMO_E_ constants.
 pub type mimo_status = i32;
@@ -886,20 +886,6 @@ pub struct mimo_env {
     opaque: [u8; 0],
 }
 
-/// Writes a world's steps into a file.
-#[repr(C)]
-#[derive(Debug)]
-pub struct mimo_recorder {
-    opaque: [u8; 0],
-}
-
-/// A recording that is read.
-#[repr(C)]
-#[derive(Debug)]
-pub struct mimo_recording {
-    opaque: [u8; 0],
-}
-
 /// Many worlds. Its functions need exclusive use of it, as those of an environment; it manages its own threads.
 #[repr(C)]
 #[derive(Debug)]
@@ -911,6 +897,20 @@ pub struct mimo_batch {
 #[repr(C)]
 #[derive(Debug)]
 pub struct mimo_senses {
+    opaque: [u8; 0],
+}
+
+/// Writes a world's steps into a file.
+#[repr(C)]
+#[derive(Debug)]
+pub struct mimo_recorder {
+    opaque: [u8; 0],
+}
+
+/// A recording that is read.
+#[repr(C)]
+#[derive(Debug)]
+pub struct mimo_recording {
     opaque: [u8; 0],
 }
 
@@ -1279,48 +1279,6 @@ pub struct mimo_limits {
     pub signal_noise: f64,
 }
 
-/// The maturity of an agent's eyes and nerves. docs/guide/maturity.md gives the sources and names the weak ones. A
-/// nerve of length L adds a delay of L / conduction_speed, and its path in the brain adds another one:
-///
-/// - touch: the nerve from the body part with the sensor, and sensory_delay;
-/// - proprioception: the nerve from the body part that the joint moves, and sensory_delay;
-/// - the vestibular sense, vision and hearing: their own delay alone;
-/// - an action: the nerve to the body part that its motor moves, and motor_delay.
-///
-/// Nerve lengths follow from the agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number
-/// of time steps of the model (with attached senses, of the host's steps).
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_maturity {
-    /// sizeof(mimo_maturity), set by mimo_maturity_init.
-    pub struct_size: u32,
-    /// 1: contrasts below the threshold disappear; 0 (default): they stay. Needs an acuity.
-    pub contrast_threshold: u32,
-    /// The finest visible lines, cycles per degree, 0.05 to 1000; 0 (default): pictures as drawn.
-    pub acuity: f64,
-    /// Peak contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of the contrast is left. Default
-    /// 2. Needs an acuity.
-    pub peak_contrast: f64,
-    /// Visible share of colour, 0 (grey) to 1 (default).
-    pub chroma: f64,
-    /// Cut-off frequency of a low-pass filter over the sensed pictures, Hz, 0.01 to 1000. 0 (default): no filter.
-    pub flicker: f64,
-    /// Of large nerve fibres, m/s, 0.1 to 200; 0 (default): no delay.
-    pub conduction_speed: f64,
-    /// From the brain stem to the cortex, s, 0 to 2.
-    pub sensory_delay: f64,
-    /// From the cortex to the brain stem, s, 0 to 2.
-    pub motor_delay: f64,
-    /// From the eye to the cortex, s, 0 to 2.
-    pub vision_delay: f64,
-    /// From the inner ear to the brain stem, s, 0 to 2.
-    pub vestibular_delay: f64,
-    /// From the ear to the cortex, s, 0 to 2.
-    pub hearing_delay: f64,
-}
-
 /// The sizes of one world.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -1522,55 +1480,6 @@ pub struct mimo_env_results {
     pub term_count: usize,
 }
 
-/// The joint positions of one step of a known movement.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_movement {
-    /// sizeof(mimo_movement), set by the caller.
-    pub struct_size: u32,
-    /// 0.
-    pub reserved: u32,
-    /// frame_skip x the positions of all joints, in the order of MIMO_JOINT_POSITION, at the end of each physics step.
-    /// Quaternions are normalised.
-    pub positions: *const f64,
-    /// Length of positions.
-    pub position_count: usize,
-    /// Receives frame_skip x one force per degree of freedom, N or Nm; or NULL.
-    pub forces: *mut f64,
-    /// Length of forces.
-    pub force_count: usize,
-}
-
-/// Seconds spent in the parts of steps since the last mimo_env_timing_reset.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_timing {
-    /// sizeof(mimo_timing), set by the caller.
-    pub struct_size: u32,
-    /// 0.
-    pub reserved: u32,
-    /// Number of environment steps.
-    pub steps: u64,
-    /// The whole steps.
-    pub total: f64,
-    /// Physics steps.
-    pub physics: f64,
-    /// Sense of touch.
-    pub touch: f64,
-    /// Drawing the eyes' pictures.
-    pub vision: f64,
-    /// Joint senses.
-    pub proprioception: f64,
-    /// Accelerometer and gyroscope.
-    pub vestibular: f64,
-    /// Sounds, and their paths to the ears.
-    pub hearing: f64,
-}
-
 /// A geom as triangles, in the geom's own frame: they move with its pose. Call mimo_env_mesh twice: with NULL for the
 /// arrays, to learn the numbers of vertices and indices, and again with arrays of that size.
 #[repr(C)]
@@ -1604,114 +1513,6 @@ pub struct mimo_mesh {
     pub vertex_count: usize,
     /// Out.
     pub index_count: usize,
-}
-
-/// The appearance of a geom. For its physical material see mimo_scene_set_material.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_appearance {
-    /// sizeof(mimo_appearance), set by the caller.
-    pub struct_size: u32,
-    /// 1: MuJoCo would draw it: its group is 0 to 2, and it is not fully transparent.
-    pub visible: u32,
-    /// Its group in MuJoCo.
-    pub group: i32,
-    /// Id of its texture, -1 for none; for a face the one that the agent shows.
-    pub texture: i32,
-    /// Red, green, blue, opacity, 0 to 1; multiplied with the texture.
-    pub color: [f32; 4],
-    /// Share of its colour that it emits, 0 to 1.
-    pub emission: f32,
-    /// Strength of highlights, 0 to 1.
-    pub specular: f32,
-    /// Their sharpness, 0 to 1: Phong's exponent is 128 times this.
-    pub shininess: f32,
-    /// Share of light that it mirrors, 0 to 1; planes and boxes only.
-    pub reflectance: f32,
-}
-
-/// A texture as pixels. Call mimo_env_texture twice, as for a mesh.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_texture {
-    /// sizeof(mimo_texture), set by the caller.
-    pub struct_size: u32,
-    /// Out: a MIMO_TEXTURE_ constant.
-    pub type_: i32,
-    /// Out: pixels.
-    pub width: u32,
-    /// Out: pixels, of all six pictures of a cube together.
-    pub height: u32,
-    /// In: red, green, blue, 255 of each pixel, row after row; or NULL.
-    pub pixels: *mut u8,
-    /// In: length of pixels: 4 width height.
-    pub pixel_bytes: usize,
-}
-
-/// The current state of a light.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_light {
-    /// sizeof(mimo_light), set by the caller.
-    pub struct_size: u32,
-    /// In: a MIMO_AXES_ constant.
-    pub axes: i32,
-    /// 1: it is on.
-    pub active: u32,
-    /// 1: parallel light along direction, as from the sun; 0: a cone from position.
-    pub directional: u32,
-    /// 1: it casts shadows.
-    pub casts_shadow: u32,
-    /// Half angle of the cone, degrees; 180: all directions.
-    pub cutoff: f32,
-    /// Concentration towards the middle of the cone; 0: even.
-    pub exponent: f32,
-    /// Current position; zero for the headlight, which is at its camera.
-    pub position: [f32; 3],
-    /// Direction of its light, unit vector.
-    pub direction: [f32; 3],
-    /// Red, green, blue of its ambient part.
-    pub ambient: [f32; 3],
-    /// Red, green, blue of its diffuse part.
-    pub diffuse: [f32; 3],
-    /// Red, green, blue of highlights.
-    pub specular: [f32; 3],
-    /// Its strength at a distance d in metres is divided by a0 + a1 d + a2 d^2.
-    pub attenuation: [f32; 3],
-    /// 0.
-    pub reserved: u32,
-}
-
-/// The gaze of an infant.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_gaze {
-    /// sizeof(mimo_gaze), set by the caller.
-    pub struct_size: u32,
-    /// 1: the lines of sight converge in front of the eyes; 0: they diverge.
-    pub meets: u32,
-    /// Position of the left eye's camera, world, m.
-    pub left_position: [f64; 3],
-    /// Its line of sight, unit vector, world.
-    pub left_direction: [f64; 3],
-    /// Position of the right eye's camera.
-    pub right_position: [f64; 3],
-    /// Its line of sight.
-    pub right_direction: [f64; 3],
-    /// Angle between the lines of sight, rad; negative if they diverge.
-    pub vergence: f64,
-    /// Their meeting point: the middle of their closest approach, world, m; zero if they diverge.
-    pub point: [f64; 3],
-    /// Their distance there, m.
-    pub miss: f64,
 }
 
 /// Settings of a picture.
@@ -1782,95 +1583,6 @@ pub struct mimo_load_report {
     pub fresh_names: *const c_char,
     /// The same for the ignored ones.
     pub ignored_names: *const c_char,
-}
-
-/// What is recorded, and how.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_recorder_config {
-    /// sizeof(mimo_recorder_config), set by mimo_recorder_config_init.
-    pub struct_size: u32,
-    /// 0 for none to 9 for the smallest file. Default 4.
-    pub compression: u32,
-    /// Fields to keep of each step: "all", "none", or senses and fields with commas between them,
-    /// "touch,vision/eye_left". NULL (default): proprioception and vestibular of whoever has them.
-    pub keep: *const c_char,
-    /// Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.
-    pub state_seconds: f64,
-    /// Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default 1.
-    pub flush_seconds: f64,
-    /// What the program wants to find again: a text, best JSON. NULL (default): "".
-    pub configuration: *const c_char,
-    /// For people: the attribute `seed`. Replays do not need it. Default 0.
-    pub seed: u64,
-    /// Path of the HDF5 library; NULL (default): see above.
-    pub hdf5: *const c_char,
-    /// 1: a whole recording that is there, and that no program is using, is replaced. 0 (default): it stays, and the
-    /// recorder is refused.
-    pub replace: u32,
-    /// 0.
-    pub reserved: u32,
-}
-
-/// What a recording holds. Its strings belong to the recording.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_recording_info {
-    /// sizeof(mimo_recording_info), set by the caller.
-    pub struct_size: u32,
-    /// Of the file.
-    pub format_version: u32,
-    /// 1: the loaded library is the one that recorded.
-    pub same_build: u32,
-    /// 0.
-    pub reserved: u32,
-    /// That can be played.
-    pub steps: usize,
-    /// That were kept.
-    pub states: usize,
-    /// Of a step.
-    pub actions: usize,
-    /// Of a step's rewards.
-    pub agents: usize,
-    /// Ages that infants had; 0 in recordings of format version 1.
-    pub bodies: usize,
-    /// Of one step.
-    pub step_seconds: f64,
-    /// Versions and build that recorded.
-    pub build: *const c_char,
-    /// Of the loaded library.
-    pub this_build: *const c_char,
-    /// What the recording program left.
-    pub configuration: *const c_char,
-    /// As a decimal number.
-    pub seed: *const c_char,
-}
-
-/// What a replay has shown so far.
-///
-/// Experimental.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct mimo_replay_report {
-    /// sizeof(mimo_replay_report), set by the caller.
-    pub struct_size: u32,
-    /// 1: all that was compared was the same to the last bit.
-    pub identical: u32,
-    /// The step that comes next.
-    pub next: usize,
-    /// How many were played.
-    pub steps: usize,
-    /// The first step that differed; without meaning where all was identical.
-    pub first_difference: usize,
-    /// Of any number; numbers that are not finite count as the largest double.
-    pub largest_difference: f64,
-    /// The dataset in which that was, "" where all was identical. Valid until the recording's next call that is not
-    /// const.
-    pub differs_most_in: *const c_char,
 }
 
 /// Settings of a batch. The autoreset modes are those of Gymnasium's vector environments.
@@ -2104,6 +1816,294 @@ pub struct mimo_senses_config {
     pub render_threads: u32,
     /// 0.
     pub reserved: u32,
+}
+
+/// The maturity of an agent's eyes and nerves. docs/guide/maturity.md gives the sources and names the weak ones. A
+/// nerve of length L adds a delay of L / conduction_speed, and its path in the brain adds another one:
+///
+/// - touch: the nerve from the body part with the sensor, and sensory_delay;
+/// - proprioception: the nerve from the body part that the joint moves, and sensory_delay;
+/// - the vestibular sense, vision and hearing: their own delay alone;
+/// - an action: the nerve to the body part that its motor moves, and motor_delay.
+///
+/// Nerve lengths follow from the agent's own body (MIMO_BODY_NERVE_LENGTH). Delays are rounded to the nearest number
+/// of time steps of the model (with attached senses, of the host's steps).
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_maturity {
+    /// sizeof(mimo_maturity), set by mimo_maturity_init.
+    pub struct_size: u32,
+    /// 1: contrasts below the threshold disappear; 0 (default): they stay. Needs an acuity.
+    pub contrast_threshold: u32,
+    /// The finest visible lines, cycles per degree, 0.05 to 1000; 0 (default): pictures as drawn.
+    pub acuity: f64,
+    /// Peak contrast sensitivity, 1.01 to 1000: at the acuity limit 1/peak_contrast of the contrast is left. Default
+    /// 2. Needs an acuity.
+    pub peak_contrast: f64,
+    /// Visible share of colour, 0 (grey) to 1 (default).
+    pub chroma: f64,
+    /// Cut-off frequency of a low-pass filter over the sensed pictures, Hz, 0.01 to 1000. 0 (default): no filter.
+    pub flicker: f64,
+    /// Of large nerve fibres, m/s, 0.1 to 200; 0 (default): no delay.
+    pub conduction_speed: f64,
+    /// From the brain stem to the cortex, s, 0 to 2.
+    pub sensory_delay: f64,
+    /// From the cortex to the brain stem, s, 0 to 2.
+    pub motor_delay: f64,
+    /// From the eye to the cortex, s, 0 to 2.
+    pub vision_delay: f64,
+    /// From the inner ear to the brain stem, s, 0 to 2.
+    pub vestibular_delay: f64,
+    /// From the ear to the cortex, s, 0 to 2.
+    pub hearing_delay: f64,
+}
+
+/// The gaze of an infant.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_gaze {
+    /// sizeof(mimo_gaze), set by the caller.
+    pub struct_size: u32,
+    /// 1: the lines of sight converge in front of the eyes; 0: they diverge.
+    pub meets: u32,
+    /// Position of the left eye's camera, world, m.
+    pub left_position: [f64; 3],
+    /// Its line of sight, unit vector, world.
+    pub left_direction: [f64; 3],
+    /// Position of the right eye's camera.
+    pub right_position: [f64; 3],
+    /// Its line of sight.
+    pub right_direction: [f64; 3],
+    /// Angle between the lines of sight, rad; negative if they diverge.
+    pub vergence: f64,
+    /// Their meeting point: the middle of their closest approach, world, m; zero if they diverge.
+    pub point: [f64; 3],
+    /// Their distance there, m.
+    pub miss: f64,
+}
+
+/// The joint positions of one step of a known movement.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_movement {
+    /// sizeof(mimo_movement), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// frame_skip x the positions of all joints, in the order of MIMO_JOINT_POSITION, at the end of each physics step.
+    /// Quaternions are normalised.
+    pub positions: *const f64,
+    /// Length of positions.
+    pub position_count: usize,
+    /// Receives frame_skip x one force per degree of freedom, N or Nm; or NULL.
+    pub forces: *mut f64,
+    /// Length of forces.
+    pub force_count: usize,
+}
+
+/// The appearance of a geom. For its physical material see mimo_scene_set_material.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_appearance {
+    /// sizeof(mimo_appearance), set by the caller.
+    pub struct_size: u32,
+    /// 1: MuJoCo would draw it: its group is 0 to 2, and it is not fully transparent.
+    pub visible: u32,
+    /// Its group in MuJoCo.
+    pub group: i32,
+    /// Id of its texture, -1 for none; for a face the one that the agent shows.
+    pub texture: i32,
+    /// Red, green, blue, opacity, 0 to 1; multiplied with the texture.
+    pub color: [f32; 4],
+    /// Share of its colour that it emits, 0 to 1.
+    pub emission: f32,
+    /// Strength of highlights, 0 to 1.
+    pub specular: f32,
+    /// Their sharpness, 0 to 1: Phong's exponent is 128 times this.
+    pub shininess: f32,
+    /// Share of light that it mirrors, 0 to 1; planes and boxes only.
+    pub reflectance: f32,
+}
+
+/// A texture as pixels. Call mimo_env_texture twice, as for a mesh.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_texture {
+    /// sizeof(mimo_texture), set by the caller.
+    pub struct_size: u32,
+    /// Out: a MIMO_TEXTURE_ constant.
+    pub type_: i32,
+    /// Out: pixels.
+    pub width: u32,
+    /// Out: pixels, of all six pictures of a cube together.
+    pub height: u32,
+    /// In: red, green, blue, 255 of each pixel, row after row; or NULL.
+    pub pixels: *mut u8,
+    /// In: length of pixels: 4 width height.
+    pub pixel_bytes: usize,
+}
+
+/// The current state of a light.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_light {
+    /// sizeof(mimo_light), set by the caller.
+    pub struct_size: u32,
+    /// In: a MIMO_AXES_ constant.
+    pub axes: i32,
+    /// 1: it is on.
+    pub active: u32,
+    /// 1: parallel light along direction, as from the sun; 0: a cone from position.
+    pub directional: u32,
+    /// 1: it casts shadows.
+    pub casts_shadow: u32,
+    /// Half angle of the cone, degrees; 180: all directions.
+    pub cutoff: f32,
+    /// Concentration towards the middle of the cone; 0: even.
+    pub exponent: f32,
+    /// Current position; zero for the headlight, which is at its camera.
+    pub position: [f32; 3],
+    /// Direction of its light, unit vector.
+    pub direction: [f32; 3],
+    /// Red, green, blue of its ambient part.
+    pub ambient: [f32; 3],
+    /// Red, green, blue of its diffuse part.
+    pub diffuse: [f32; 3],
+    /// Red, green, blue of highlights.
+    pub specular: [f32; 3],
+    /// Its strength at a distance d in metres is divided by a0 + a1 d + a2 d^2.
+    pub attenuation: [f32; 3],
+    /// 0.
+    pub reserved: u32,
+}
+
+/// Seconds spent in the parts of steps since the last mimo_env_timing_reset.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_timing {
+    /// sizeof(mimo_timing), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Number of environment steps.
+    pub steps: u64,
+    /// The whole steps.
+    pub total: f64,
+    /// Physics steps.
+    pub physics: f64,
+    /// Sense of touch.
+    pub touch: f64,
+    /// Drawing the eyes' pictures.
+    pub vision: f64,
+    /// Joint senses.
+    pub proprioception: f64,
+    /// Accelerometer and gyroscope.
+    pub vestibular: f64,
+    /// Sounds, and their paths to the ears.
+    pub hearing: f64,
+}
+
+/// What is recorded, and how.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_recorder_config {
+    /// sizeof(mimo_recorder_config), set by mimo_recorder_config_init.
+    pub struct_size: u32,
+    /// 0 for none to 9 for the smallest file. Default 4.
+    pub compression: u32,
+    /// Fields to keep of each step: "all", "none", or senses and fields with commas between them,
+    /// "touch,vision/eye_left". NULL (default): proprioception and vestibular of whoever has them.
+    pub keep: *const c_char,
+    /// Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.
+    pub state_seconds: f64,
+    /// Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default 1.
+    pub flush_seconds: f64,
+    /// What the program wants to find again: a text, best JSON. NULL (default): "".
+    pub configuration: *const c_char,
+    /// For people: the attribute `seed`. Replays do not need it. Default 0.
+    pub seed: u64,
+    /// Path of the HDF5 library; NULL (default): see above.
+    pub hdf5: *const c_char,
+    /// 1: a whole recording that is there, and that no program is using, is replaced. 0 (default): it stays, and the
+    /// recorder is refused.
+    pub replace: u32,
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What a recording holds. Its strings belong to the recording.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_recording_info {
+    /// sizeof(mimo_recording_info), set by the caller.
+    pub struct_size: u32,
+    /// Of the file.
+    pub format_version: u32,
+    /// 1: the loaded library is the one that recorded.
+    pub same_build: u32,
+    /// 0.
+    pub reserved: u32,
+    /// That can be played.
+    pub steps: usize,
+    /// That were kept.
+    pub states: usize,
+    /// Of a step.
+    pub actions: usize,
+    /// Of a step's rewards.
+    pub agents: usize,
+    /// Ages that infants had; 0 in recordings of format version 1.
+    pub bodies: usize,
+    /// Of one step.
+    pub step_seconds: f64,
+    /// Versions and build that recorded.
+    pub build: *const c_char,
+    /// Of the loaded library.
+    pub this_build: *const c_char,
+    /// What the recording program left.
+    pub configuration: *const c_char,
+    /// As a decimal number.
+    pub seed: *const c_char,
+}
+
+/// What a replay has shown so far.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_replay_report {
+    /// sizeof(mimo_replay_report), set by the caller.
+    pub struct_size: u32,
+    /// 1: all that was compared was the same to the last bit.
+    pub identical: u32,
+    /// The step that comes next.
+    pub next: usize,
+    /// How many were played.
+    pub steps: usize,
+    /// The first step that differed; without meaning where all was identical.
+    pub first_difference: usize,
+    /// Of any number; numbers that are not finite count as the largest double.
+    pub largest_difference: f64,
+    /// The dataset in which that was, "" where all was identical. Valid until the recording's next call that is not
+    /// const.
+    pub differs_most_in: *const c_char,
 }
 
 extern "C" {
@@ -2411,89 +2411,6 @@ extern "C" {
     /// * `limits`: NULL: a perfect motor. Noise is in the action's unit, as mimo_action gives it; blur must be 0.
     pub fn mimo_scene_limit_motor(scene: *mut mimo_scene, agent: usize, path: *const c_char, limits: *const mimo_limits) -> mimo_status;
 
-    /// Fills a maturity with defaults: perfect eyes, and nerves without delay.
-    ///
-    /// Experimental.
-    ///
-    /// * `size`: sizeof(mimo_maturity) as the caller knows it.
-    pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
-
-    /// Fills a maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0;
-    /// measured values for flicker are 4, 8 and 15 Hz at 2, 4 and 12 months.
-    ///
-    /// Experimental.
-    ///
-    /// * `age`: months, 0 (a newborn) to 24.
-    ///
-    /// * `size`: sizeof(mimo_maturity) as the caller knows it.
-    pub fn mimo_maturity_at(age: f64, maturity: *mut mimo_maturity, size: usize) -> mimo_status;
-
-    /// Sets the maturity of an agent, for environments made and senses attached from now on. Limits set by
-    /// mimo_scene_limit_sense and mimo_scene_limit_motor replace its delays. Attached senses have no motors and ignore
-    /// motor_delay.
-    ///
-    /// Errors: MIMO_E_INVALID_ARGUMENT for nerves with delays of an agent that is not an infant.
-    ///
-    /// Experimental.
-    ///
-    /// * `maturity`: NULL: by the age and the member maturity of the agent's mimo_growth.
-    pub fn mimo_scene_set_maturity(scene: *mut mimo_scene, agent: usize, maturity: *const mimo_maturity) -> mimo_status;
-
-    /// Sets the delay with which an agent feels a part of its body, for environments made and senses attached from now
-    /// on: touch on the part, and the joints that move it. It replaces the delay that follows from the maturity;
-    /// limits set by mimo_scene_limit_sense replace this one. For motors see mimo_scene_limit_motor.
-    ///
-    /// Errors: MIMO_E_NOT_FOUND for an unknown body; the message lists the infant's bodies. For an agent with a root
-    /// the error comes when an environment is made or senses are attached.
-    ///
-    /// Experimental.
-    ///
-    /// * `body`: name of a body without its agent's name, "left_hand"; NULL: every body, which replaces what was set
-    /// for single ones before.
-    ///
-    /// * `seconds`: 0 to 2; rounded to the nearest number of time steps of the model.
-    pub fn mimo_scene_set_sensory_delay(scene: *mut mimo_scene, agent: usize, body: *const c_char, seconds: f64) -> mimo_status;
-
-    /// Sets the temperature of the room: of its air, and of every body without a temperature of its own. Default 24,
-    /// in which naked skin has 33.0. Infants have the temperature of skin in that room. For environments made and
-    /// senses attached from now on.
-    ///
-    /// Experimental.
-    ///
-    /// * `celsius`: -40 to 80.
-    pub fn mimo_scene_set_room_temperature(scene: *mut mimo_scene, celsius: f64) -> mimo_status;
-
-    /// Sets the temperature of a body of the scene and its child bodies. It is constant; contact does not change it.
-    /// If several calls set a body, the last one applies. A flex of MuJoCo 4 belongs to a body if all its vertices do.
-    ///
-    /// Errors: mimo_env_create and mimo_senses_attach return MIMO_E_NOT_FOUND for an unknown body.
-    ///
-    /// Experimental.
-    ///
-    /// * `body`: its name in the model, "cup", "anna/left_hand".
-    ///
-    /// * `celsius`: -273.15 (absolute zero) to 1000.
-    pub fn mimo_scene_set_temperature(scene: *mut mimo_scene, body: *const c_char, celsius: f64) -> mimo_status;
-
-    /// Sets the material of a body of the scene and its child bodies. It determines how the body conducts heat, how
-    /// its surface feels in sliding, and how it sounds when struck. Default "plastic", for infants "skin".
-    ///
-    /// Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of all; bodies as in mimo_scene_set_temperature.
-    ///
-    /// Experimental.
-    ///
-    /// * `body`: as in mimo_scene_set_temperature.
-    ///
-    /// * `material`: one of mimo_material_name.
-    pub fn mimo_scene_set_material(scene: *mut mimo_scene, body: *const c_char, material: *const c_char) -> mimo_status;
-
-    /// Name of the index-th material, or NULL past the last: "copper", "aluminium", "steel", "granite", "glass",
-    /// "water", "polyethylene", "plastic", "rubber", "leather", "hardwood", "softwood", "cotton", "cork", "foam",
-    /// "skin", "iron", "ceramic", "cardboard", "concrete", "carpet". Static string.
-    ///
-    /// Experimental.
-    pub fn mimo_material_name(index: usize) -> *const c_char;
-
     /// Returns the sizes. Set info->struct_size first.
     pub fn mimo_layout_describe(layout: *const mimo_layout, info: *mut mimo_layout_info) -> mimo_status;
 
@@ -2622,27 +2539,6 @@ extern "C" {
     /// * `results`: may be NULL.
     pub fn mimo_env_step(env: *mut mimo_env, action: *const f32, action_count: usize, block: *mut c_void, block_bytes: usize, results: *const mimo_env_results) -> mimo_status;
 
-    /// Simulates one step of a known movement, from video or motion capture: joints take the given positions, whatever
-    /// is in their way, and all senses respond as if they had moved there. Velocities and accelerations follow from
-    /// the positions as in a step of physics: the velocity at the end is the difference over a physics step. So set
-    /// MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY before the first step of a movement. Contacts yield and are felt
-    /// according to these accelerations. Motors keep their controls, without effect on the movement; no task is
-    /// evaluated, no reflex acts, and no delayed action arrives.
-    ///
-    /// The forces are the result of inverse dynamics at the start of each physics step: the forces needed in addition
-    /// to gravity, contacts, and the joints' limits, locks, springs and dampers. For a lying infant they are its
-    /// muscles' forces; on the first six degrees of freedom, its free joint, they are the residual that contacts do
-    /// not explain.
-    ///
-    /// Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0: nothing happens;
-    /// MIMO_E_UNSUPPORTED for models with an integrator other than Euler; MIMO_E_SIMULATION as mimo_env_step, also if
-    /// positions or the resulting velocities or accelerations exceed 1e10: the block is not written.
-    ///
-    /// Experimental.
-    ///
-    /// * `block`: receives the observation; NULL with block_bytes 0 skips the senses.
-    pub fn mimo_env_follow(env: *mut mimo_env, movement: *const mimo_movement, block: *mut c_void, block_bytes: usize) -> mimo_status;
-
     /// Observes the current state without changing the trajectory. All fields belong to the current state, so after a
     /// step it differs from the step's block in the fields whose time ends before 0. Until the next step mimo_env_get
     /// also returns values of the current state.
@@ -2665,16 +2561,6 @@ extern "C" {
 
     /// Length of one physics step, seconds.
     pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
-
-    /// Reads the timing; all 0 unless the environment was made with timing = 1. Set timing->struct_size first.
-    ///
-    /// Experimental.
-    pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
-
-    /// Resets the timing to 0.
-    ///
-    /// Experimental.
-    pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
 
     /// Number of elements of a kind (MIMO_BODY ...) in the world.
     pub fn mimo_env_count(env: *const mimo_env, kind: mimo_kind, count: *mut usize) -> mimo_status;
@@ -2761,66 +2647,6 @@ extern "C" {
     /// Errors: MIMO_E_BUFFER_TOO_SMALL, with nothing written; the message gives the required sizes.
     pub fn mimo_env_mesh(env: *const mimo_env, geom: i32, mesh: *mut mimo_mesh) -> mimo_status;
 
-    /// Current appearance of a geom. Set appearance->struct_size first.
-    ///
-    /// Experimental.
-    pub fn mimo_env_appearance(env: *const mimo_env, geom: i32, appearance: *mut mimo_appearance) -> mimo_status;
-
-    /// Number of textures; ids are 0 to count - 1.
-    ///
-    /// Experimental.
-    pub fn mimo_env_texture_count(env: *const mimo_env, count: *mut usize) -> mimo_status;
-
-    /// A texture. Set texture->struct_size, pixels and pixel_bytes first.
-    ///
-    /// Experimental.
-    pub fn mimo_env_texture(env: *const mimo_env, texture_id: i32, texture: *mut mimo_texture) -> mimo_status;
-
-    /// A light. Set light->struct_size and axes first.
-    ///
-    /// Experimental.
-    ///
-    /// * `id`: a MIMO_LIGHT, or MIMO_HEADLIGHT.
-    pub fn mimo_env_light(env: *const mimo_env, id: i32, light: *mut mimo_light) -> mimo_status;
-
-    /// The gaze of an agent, from the poses of its eyes' cameras that mimo_env_get returns: after a step those at the
-    /// start of the last physics step, after mimo_env_update the current ones. Set gaze->struct_size first.
-    ///
-    /// Experimental.
-    pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
-
-    /// Computes the joint angles with which an agent looks at a point from the current position of its chest, without
-    /// moving anything: for position control, for locks, or for mimo_env_set. The torsion of the eyes is 0.
-    ///
-    /// Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL.
-    ///
-    /// Experimental.
-    ///
-    /// * `point`: three numbers, metres, world frame.
-    ///
-    /// * `how`: MIMO_LOOK_EYES or MIMO_LOOK_HEAD.
-    ///
-    /// * `joints`: receives ids: with MIMO_LOOK_HEAD swivel and tilt of the head; then pan, tilt and torsion of the
-    /// left eye and of the right one. May be NULL.
-    ///
-    /// * `angles`: receives their angles, rad, clipped to the joints' ranges; may be NULL.
-    ///
-    /// * `capacity`: length of the arrays; 0 if both are NULL, to learn the count.
-    ///
-    /// * `count`: receives the number of joints; may be NULL.
-    ///
-    /// * `errors`: receives two angles, rad: by how much the left and the right eye miss the point because of their
-    /// range; may be NULL.
-    pub fn mimo_env_look_angles(env: *mut mimo_env, agent: usize, point: *const f64, how: i32, joints: *mut i32, angles: *mut f64, capacity: usize, count: *mut usize, errors: *mut f64) -> mimo_status;
-
-    /// Makes an agent look at a point at once: sets its joints as mimo_env_set does. In the next step springs and
-    /// motors move them again.
-    ///
-    /// Experimental.
-    ///
-    /// * `errors`: as in mimo_env_look_angles.
-    pub fn mimo_env_look_at(env: *mut mimo_env, agent: usize, point: *const f64, how: i32, errors: *mut f64) -> mimo_status;
-
     /// Fills a config with defaults: a free camera that sees the infant from the front.
     ///
     /// * `size`: sizeof(mimo_picture_config) as the caller knows it.
@@ -2872,138 +2698,6 @@ extern "C" {
     ///
     /// * `clone`: receives the handle; destroy it with mimo_env_destroy.
     pub fn mimo_env_clone(env: *const mimo_env, clone: *mut *mut mimo_env) -> mimo_status;
-
-    /// Fills a config with defaults.
-    ///
-    /// Experimental.
-    ///
-    /// * `size`: sizeof(mimo_recorder_config) as the caller knows it.
-    pub fn mimo_recorder_config_init(config: *mut mimo_recorder_config, size: usize) -> mimo_status;
-
-    /// Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world
-    /// of a batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to
-    /// another age; values that are set, loaded states, known movements, bare physics, sounds, random numbers) is
-    /// counted, and where something was, a state is kept from which a replay goes on there. Kept fields are sensed
-    /// also where a step skips them. A step that fails is not recorded. A clone is not recorded.
-    ///
-    /// A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes
-    /// to the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened. Nothing is
-    /// written over but an empty file and, where `replace` of the config is 1, a whole recording that no program is
-    /// using; that is replaced once the new one has been made beside it. What else is there stays, as MIMO_E_FILE.
-    /// While it is recorded, no other recorder takes the file, in this process or another one; where somebody else
-    /// moves, removes, replaces or cuts it all the same, the recording ends as on a full disk.
-    ///
-    /// Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
-    /// MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE for a file
-    /// that cannot be made, and for one that is there and is not to be replaced, is no whole recording or is in use;
-    /// MIMO_E_SIMULATION for a world that has failed.
-    ///
-    /// Experimental.
-    ///
-    /// * `path`: of the file.
-    ///
-    /// * `config`: NULL means defaults.
-    ///
-    /// * `recorder`: receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
-    pub fn mimo_recorder_open(env: *mut mimo_env, path: *const c_char, config: *const mimo_recorder_config, recorder: *mut *mut mimo_recorder) -> mimo_status;
-
-    /// Puts everything on its way to the disk now.
-    ///
-    /// Errors: MIMO_E_FILE for what could not be written, now or before.
-    ///
-    /// Experimental.
-    pub fn mimo_recorder_flush(recorder: *mut mimo_recorder) -> mimo_status;
-
-    /// Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed
-    /// handles are ignored. Where the world is gone, the file was closed with it.
-    ///
-    /// Errors: as mimo_recorder_flush. MIMO_E_BUSY within a step of the world, and while another thread uses the
-    /// world: the recorder then stays.
-    ///
-    /// Experimental.
-    pub fn mimo_recorder_close(recorder: *mut mimo_recorder) -> mimo_status;
-
-    /// Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md
-    /// says what it can do.
-    ///
-    /// Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there
-    /// is no such file; MIMO_E_FILE for what is no recording, or was cut off.
-    ///
-    /// Experimental.
-    ///
-    /// * `hdf5`: path of the HDF5 library, or NULL.
-    ///
-    /// * `recording`: receives the handle; destroy it with mimo_recording_destroy.
-    pub fn mimo_recording_open(path: *const c_char, hdf5: *const c_char, recording: *mut *mut mimo_recording) -> mimo_status;
-
-    /// Closes a recording. NULL and destroyed handles are ignored.
-    ///
-    /// Experimental.
-    pub fn mimo_recording_destroy(recording: *mut mimo_recording);
-
-    /// Describes a recording. Set info->struct_size first.
-    ///
-    /// Experimental.
-    pub fn mimo_recording_describe(recording: *const mimo_recording, info: *mut mimo_recording_info) -> mimo_status;
-
-    /// How many rows a dataset has ("actions", "joints/position", "fields/hearing/ear_left"), and how long they are.
-    ///
-    /// Errors: MIMO_E_NOT_FOUND where the recording does not have it.
-    ///
-    /// Experimental.
-    ///
-    /// * `rows`: receive the sizes; either may be NULL.
-    ///
-    /// * `row_bytes`: receive the sizes; either may be NULL.
-    pub fn mimo_recording_size(recording: *const mimo_recording, dataset: *const c_char, rows: *mut usize, row_bytes: *mut usize) -> mimo_status;
-
-    /// Reads rows of a dataset, as numbers of the type that they have in the file.
-    ///
-    /// Experimental.
-    ///
-    /// * `first`: which; all of them must be there.
-    ///
-    /// * `rows`: which; all of them must be there.
-    ///
-    /// * `values`: receives rows times row_bytes bytes.
-    pub fn mimo_recording_read(recording: *const mimo_recording, dataset: *const c_char, first: usize, rows: usize, values: *mut c_void, value_bytes: usize) -> mimo_status;
-
-    /// Begins a replay: a world of the same scene, actuation and task, whose senses may be others, takes the last kept
-    /// state that is not later than a step. Its infants become as old as they were. What was compared before is
-    /// forgotten.
-    ///
-    /// Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then
-    /// stays as it is; as mimo_env_state_load, and then the world has been reset.
-    ///
-    /// Experimental.
-    ///
-    /// * `step`: 0 to the recording's steps.
-    ///
-    /// * `compare_fields`: 1: recorded fields are compared as well; 0: the world senses otherwise.
-    ///
-    /// * `at`: receives the state's own step, from which the replay goes on; may be NULL.
-    pub fn mimo_recording_seek(recording: *mut mimo_recording, env: *mut mimo_env, step: usize, compare_fields: u32, at: *mut usize) -> mimo_status;
-
-    /// Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had
-    /// changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for
-    /// bit. Between two calls the world may be looked at, not changed.
-    ///
-    /// Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
-    /// MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
-    ///
-    /// Experimental.
-    ///
-    /// * `block`: as in mimo_env_step.
-    ///
-    /// * `block_bytes`: as in mimo_env_step.
-    ///
-    /// * `results`: as in mimo_env_step.
-    pub fn mimo_recording_step(recording: *mut mimo_recording, env: *mut mimo_env, block: *mut c_void, block_bytes: usize, results: *const mimo_env_results) -> mimo_status;
-
-    /// Tells of the replay. Set report->struct_size first.
-    ///
-    /// Experimental.
-    pub fn mimo_recording_report(recording: *const mimo_recording, report: *mut mimo_replay_report) -> mimo_status;
 
     /// Fills a config with defaults: one world, all cores, no automatic reset.
     ///
@@ -3204,22 +2898,6 @@ extern "C" {
     /// * `block`: receives the observation, every byte of it.
     pub fn mimo_senses_observe(senses: *mut mimo_senses, data: *const c_void, block: *mut c_void, block_bytes: usize) -> mimo_status;
 
-    /// Sets the firing rates of fusimotor neurons, which drive muscle spindles, from the next mimo_senses_advance on,
-    /// until the next call or the start of an episode; part of the saved state.
-    ///
-    /// Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or one whose agent senses none. Nothing changes
-    /// then.
-    ///
-    /// Experimental.
-    ///
-    /// * `actuators`: ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all
-    /// that have spindles.
-    ///
-    /// * `rates`: four numbers for each, Hz, 0 to 500, as in MIMO_ACTUATOR_FUSIMOTOR_DRIVE.
-    ///
-    /// * `rate_count`: 4 times actuator_count.
-    pub fn mimo_senses_drive_spindles(senses: *mut mimo_senses, actuators: *const i32, actuator_count: usize, rates: *const f64, rate_count: usize) -> mimo_status;
-
     /// Size in bytes of the senses' memories; it never changes.
     pub fn mimo_senses_state_size(senses: *const mimo_senses, bytes: *mut usize) -> mimo_status;
 
@@ -3236,6 +2914,65 @@ extern "C" {
     ///
     /// * `report`: receives the memories that started fresh; may be NULL.
     pub fn mimo_senses_state_load(senses: *mut mimo_senses, state: *const c_void, state_bytes: usize, report: *mut mimo_load_report) -> mimo_status;
+
+    /// Sets the firing rates of fusimotor neurons, which drive muscle spindles, from the next mimo_senses_advance on,
+    /// until the next call or the start of an episode; part of the saved state.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or one whose agent senses none. Nothing changes
+    /// then.
+    ///
+    /// Experimental.
+    ///
+    /// * `actuators`: ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all
+    /// that have spindles.
+    ///
+    /// * `rates`: four numbers for each, Hz, 0 to 500, as in MIMO_ACTUATOR_FUSIMOTOR_DRIVE.
+    ///
+    /// * `rate_count`: 4 times actuator_count.
+    pub fn mimo_senses_drive_spindles(senses: *mut mimo_senses, actuators: *const i32, actuator_count: usize, rates: *const f64, rate_count: usize) -> mimo_status;
+
+    /// Fills a maturity with defaults: perfect eyes, and nerves without delay.
+    ///
+    /// Experimental.
+    ///
+    /// * `size`: sizeof(mimo_maturity) as the caller knows it.
+    pub fn mimo_maturity_init(maturity: *mut mimo_maturity, size: usize) -> mimo_status;
+
+    /// Fills a maturity with the numbers of an age. contrast_threshold and flicker, which are options, stay 0;
+    /// measured values for flicker are 4, 8 and 15 Hz at 2, 4 and 12 months.
+    ///
+    /// Experimental.
+    ///
+    /// * `age`: months, 0 (a newborn) to 24.
+    ///
+    /// * `size`: sizeof(mimo_maturity) as the caller knows it.
+    pub fn mimo_maturity_at(age: f64, maturity: *mut mimo_maturity, size: usize) -> mimo_status;
+
+    /// Sets the maturity of an agent, for environments made and senses attached from now on. Limits set by
+    /// mimo_scene_limit_sense and mimo_scene_limit_motor replace its delays. Attached senses have no motors and ignore
+    /// motor_delay.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT for nerves with delays of an agent that is not an infant.
+    ///
+    /// Experimental.
+    ///
+    /// * `maturity`: NULL: by the age and the member maturity of the agent's mimo_growth.
+    pub fn mimo_scene_set_maturity(scene: *mut mimo_scene, agent: usize, maturity: *const mimo_maturity) -> mimo_status;
+
+    /// Sets the delay with which an agent feels a part of its body, for environments made and senses attached from now
+    /// on: touch on the part, and the joints that move it. It replaces the delay that follows from the maturity;
+    /// limits set by mimo_scene_limit_sense replace this one. For motors see mimo_scene_limit_motor.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND for an unknown body; the message lists the infant's bodies. For an agent with a root
+    /// the error comes when an environment is made or senses are attached.
+    ///
+    /// Experimental.
+    ///
+    /// * `body`: name of a body without its agent's name, "left_hand"; NULL: every body, which replaces what was set
+    /// for single ones before.
+    ///
+    /// * `seconds`: 0 to 2; rounded to the nearest number of time steps of the model.
+    pub fn mimo_scene_set_sensory_delay(scene: *mut mimo_scene, agent: usize, body: *const c_char, seconds: f64) -> mimo_status;
 
     /// Sets the room for played sounds, for environments made and senses attached from now on in which an agent hears.
     /// It is part of a world's state, with 4 bytes per sample.
@@ -3287,4 +3024,267 @@ extern "C" {
     ///
     /// Experimental.
     pub fn mimo_senses_play(senses: *mut mimo_senses, body: *const c_char, samples: *const f32, count: usize, rate: f64) -> mimo_status;
+
+    /// Sets the temperature of the room: of its air, and of every body without a temperature of its own. Default 24,
+    /// in which naked skin has 33.0. Infants have the temperature of skin in that room. For environments made and
+    /// senses attached from now on.
+    ///
+    /// Experimental.
+    ///
+    /// * `celsius`: -40 to 80.
+    pub fn mimo_scene_set_room_temperature(scene: *mut mimo_scene, celsius: f64) -> mimo_status;
+
+    /// Sets the temperature of a body of the scene and its child bodies. It is constant; contact does not change it.
+    /// If several calls set a body, the last one applies. A flex of MuJoCo 4 belongs to a body if all its vertices do.
+    ///
+    /// Errors: mimo_env_create and mimo_senses_attach return MIMO_E_NOT_FOUND for an unknown body.
+    ///
+    /// Experimental.
+    ///
+    /// * `body`: its name in the model, "cup", "anna/left_hand".
+    ///
+    /// * `celsius`: -273.15 (absolute zero) to 1000.
+    pub fn mimo_scene_set_temperature(scene: *mut mimo_scene, body: *const c_char, celsius: f64) -> mimo_status;
+
+    /// Sets the material of a body of the scene and its child bodies. It determines how the body conducts heat, how
+    /// its surface feels in sliding, and how it sounds when struck. Default "plastic", for infants "skin".
+    ///
+    /// Errors: MIMO_E_NOT_FOUND for an unknown material, with a list of all; bodies as in mimo_scene_set_temperature.
+    ///
+    /// Experimental.
+    ///
+    /// * `body`: as in mimo_scene_set_temperature.
+    ///
+    /// * `material`: one of mimo_material_name.
+    pub fn mimo_scene_set_material(scene: *mut mimo_scene, body: *const c_char, material: *const c_char) -> mimo_status;
+
+    /// Name of the index-th material, or NULL past the last: "copper", "aluminium", "steel", "granite", "glass",
+    /// "water", "polyethylene", "plastic", "rubber", "leather", "hardwood", "softwood", "cotton", "cork", "foam",
+    /// "skin", "iron", "ceramic", "cardboard", "concrete", "carpet". Static string.
+    ///
+    /// Experimental.
+    pub fn mimo_material_name(index: usize) -> *const c_char;
+
+    /// The gaze of an agent, from the poses of its eyes' cameras that mimo_env_get returns: after a step those at the
+    /// start of the last physics step, after mimo_env_update the current ones. Set gaze->struct_size first.
+    ///
+    /// Experimental.
+    pub fn mimo_env_gaze(env: *const mimo_env, agent: usize, gaze: *mut mimo_gaze) -> mimo_status;
+
+    /// Computes the joint angles with which an agent looks at a point from the current position of its chest, without
+    /// moving anything: for position control, for locks, or for mimo_env_set. The torsion of the eyes is 0.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND or MIMO_E_UNSUPPORTED for a body without such eyes; MIMO_E_BUFFER_TOO_SMALL.
+    ///
+    /// Experimental.
+    ///
+    /// * `point`: three numbers, metres, world frame.
+    ///
+    /// * `how`: MIMO_LOOK_EYES or MIMO_LOOK_HEAD.
+    ///
+    /// * `joints`: receives ids: with MIMO_LOOK_HEAD swivel and tilt of the head; then pan, tilt and torsion of the
+    /// left eye and of the right one. May be NULL.
+    ///
+    /// * `angles`: receives their angles, rad, clipped to the joints' ranges; may be NULL.
+    ///
+    /// * `capacity`: length of the arrays; 0 if both are NULL, to learn the count.
+    ///
+    /// * `count`: receives the number of joints; may be NULL.
+    ///
+    /// * `errors`: receives two angles, rad: by how much the left and the right eye miss the point because of their
+    /// range; may be NULL.
+    pub fn mimo_env_look_angles(env: *mut mimo_env, agent: usize, point: *const f64, how: i32, joints: *mut i32, angles: *mut f64, capacity: usize, count: *mut usize, errors: *mut f64) -> mimo_status;
+
+    /// Makes an agent look at a point at once: sets its joints as mimo_env_set does. In the next step springs and
+    /// motors move them again.
+    ///
+    /// Experimental.
+    ///
+    /// * `errors`: as in mimo_env_look_angles.
+    pub fn mimo_env_look_at(env: *mut mimo_env, agent: usize, point: *const f64, how: i32, errors: *mut f64) -> mimo_status;
+
+    /// Simulates one step of a known movement, from video or motion capture: joints take the given positions, whatever
+    /// is in their way, and all senses respond as if they had moved there. Velocities and accelerations follow from
+    /// the positions as in a step of physics: the velocity at the end is the difference over a physics step. So set
+    /// MIMO_JOINT_POSITION and MIMO_JOINT_VELOCITY before the first step of a movement. Contacts yield and are felt
+    /// according to these accelerations. Motors keep their controls, without effect on the movement; no task is
+    /// evaluated, no reflex acts, and no delayed action arrives.
+    ///
+    /// The forces are the result of inverse dynamics at the start of each physics step: the forces needed in addition
+    /// to gravity, contacts, and the joints' limits, locks, springs and dampers. For a lying infant they are its
+    /// muscles' forces; on the first six degrees of freedom, its free joint, they are the residual that contacts do
+    /// not explain.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0: nothing happens;
+    /// MIMO_E_UNSUPPORTED for models with an integrator other than Euler; MIMO_E_SIMULATION as mimo_env_step, also if
+    /// positions or the resulting velocities or accelerations exceed 1e10: the block is not written.
+    ///
+    /// Experimental.
+    ///
+    /// * `block`: receives the observation; NULL with block_bytes 0 skips the senses.
+    pub fn mimo_env_follow(env: *mut mimo_env, movement: *const mimo_movement, block: *mut c_void, block_bytes: usize) -> mimo_status;
+
+    /// Current appearance of a geom. Set appearance->struct_size first.
+    ///
+    /// Experimental.
+    pub fn mimo_env_appearance(env: *const mimo_env, geom: i32, appearance: *mut mimo_appearance) -> mimo_status;
+
+    /// Number of textures; ids are 0 to count - 1.
+    ///
+    /// Experimental.
+    pub fn mimo_env_texture_count(env: *const mimo_env, count: *mut usize) -> mimo_status;
+
+    /// A texture. Set texture->struct_size, pixels and pixel_bytes first.
+    ///
+    /// Experimental.
+    pub fn mimo_env_texture(env: *const mimo_env, texture_id: i32, texture: *mut mimo_texture) -> mimo_status;
+
+    /// A light. Set light->struct_size and axes first.
+    ///
+    /// Experimental.
+    ///
+    /// * `id`: a MIMO_LIGHT, or MIMO_HEADLIGHT.
+    pub fn mimo_env_light(env: *const mimo_env, id: i32, light: *mut mimo_light) -> mimo_status;
+
+    /// Reads the timing; all 0 unless the environment was made with timing = 1. Set timing->struct_size first.
+    ///
+    /// Experimental.
+    pub fn mimo_env_timing(env: *const mimo_env, timing: *mut mimo_timing) -> mimo_status;
+
+    /// Resets the timing to 0.
+    ///
+    /// Experimental.
+    pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
+
+    /// Fills a config with defaults.
+    ///
+    /// Experimental.
+    ///
+    /// * `size`: sizeof(mimo_recorder_config) as the caller knows it.
+    pub fn mimo_recorder_config_init(config: *mut mimo_recorder_config, size: usize) -> mimo_status;
+
+    /// Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world
+    /// of a batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to
+    /// another age; values that are set, loaded states, known movements, bare physics, sounds, random numbers) is
+    /// counted, and where something was, a state is kept from which a replay goes on there. Kept fields are sensed
+    /// also where a step skips them. A step that fails is not recorded. A clone is not recorded.
+    ///
+    /// A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes
+    /// to the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened. Nothing is
+    /// written over but an empty file and, where `replace` of the config is 1, a whole recording that no program is
+    /// using; that is replaced once the new one has been made beside it. What else is there stays, as MIMO_E_FILE.
+    /// While it is recorded, no other recorder takes the file, in this process or another one; where somebody else
+    /// moves, removes, replaces or cuts it all the same, the recording ends as on a full disk.
+    ///
+    /// Errors: MIMO_E_UNSUPPORTED without HDF5; MIMO_E_NOT_FOUND where keep names what the world does not have;
+    /// MIMO_E_BUSY for a world that is being recorded, and for one within a step or a task; MIMO_E_FILE for a file
+    /// that cannot be made, and for one that is there and is not to be replaced, is no whole recording or is in use;
+    /// MIMO_E_SIMULATION for a world that has failed.
+    ///
+    /// Experimental.
+    ///
+    /// * `path`: of the file.
+    ///
+    /// * `config`: NULL means defaults.
+    ///
+    /// * `recorder`: receives the handle; close it with mimo_recorder_close, before or after the world is destroyed.
+    pub fn mimo_recorder_open(env: *mut mimo_env, path: *const c_char, config: *const mimo_recorder_config, recorder: *mut *mut mimo_recorder) -> mimo_status;
+
+    /// Puts everything on its way to the disk now.
+    ///
+    /// Errors: MIMO_E_FILE for what could not be written, now or before.
+    ///
+    /// Experimental.
+    pub fn mimo_recorder_flush(recorder: *mut mimo_recorder) -> mimo_status;
+
+    /// Keeps the last state, closes the file and destroys the recorder, also where writing failed. NULL and closed
+    /// handles are ignored. Where the world is gone, the file was closed with it.
+    ///
+    /// Errors: as mimo_recorder_flush. MIMO_E_BUSY within a step of the world, and while another thread uses the
+    /// world: the recorder then stays.
+    ///
+    /// Experimental.
+    pub fn mimo_recorder_close(recorder: *mut mimo_recorder) -> mimo_status;
+
+    /// Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md
+    /// says what it can do.
+    ///
+    /// Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there
+    /// is no such file; MIMO_E_FILE for what is no recording, or was cut off.
+    ///
+    /// Experimental.
+    ///
+    /// * `hdf5`: path of the HDF5 library, or NULL.
+    ///
+    /// * `recording`: receives the handle; destroy it with mimo_recording_destroy.
+    pub fn mimo_recording_open(path: *const c_char, hdf5: *const c_char, recording: *mut *mut mimo_recording) -> mimo_status;
+
+    /// Closes a recording. NULL and destroyed handles are ignored.
+    ///
+    /// Experimental.
+    pub fn mimo_recording_destroy(recording: *mut mimo_recording);
+
+    /// Describes a recording. Set info->struct_size first.
+    ///
+    /// Experimental.
+    pub fn mimo_recording_describe(recording: *const mimo_recording, info: *mut mimo_recording_info) -> mimo_status;
+
+    /// How many rows a dataset has ("actions", "joints/position", "fields/hearing/ear_left"), and how long they are.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND where the recording does not have it.
+    ///
+    /// Experimental.
+    ///
+    /// * `rows`: receive the sizes; either may be NULL.
+    ///
+    /// * `row_bytes`: receive the sizes; either may be NULL.
+    pub fn mimo_recording_size(recording: *const mimo_recording, dataset: *const c_char, rows: *mut usize, row_bytes: *mut usize) -> mimo_status;
+
+    /// Reads rows of a dataset, as numbers of the type that they have in the file.
+    ///
+    /// Experimental.
+    ///
+    /// * `first`: which; all of them must be there.
+    ///
+    /// * `rows`: which; all of them must be there.
+    ///
+    /// * `values`: receives rows times row_bytes bytes.
+    pub fn mimo_recording_read(recording: *const mimo_recording, dataset: *const c_char, first: usize, rows: usize, values: *mut c_void, value_bytes: usize) -> mimo_status;
+
+    /// Begins a replay: a world of the same scene, actuation and task, whose senses may be others, takes the last kept
+    /// state that is not later than a step. Its infants become as old as they were. What was compared before is
+    /// forgotten.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then
+    /// stays as it is; as mimo_env_state_load, and then the world has been reset.
+    ///
+    /// Experimental.
+    ///
+    /// * `step`: 0 to the recording's steps.
+    ///
+    /// * `compare_fields`: 1: recorded fields are compared as well; 0: the world senses otherwise.
+    ///
+    /// * `at`: receives the state's own step, from which the replay goes on; may be NULL.
+    pub fn mimo_recording_seek(recording: *mut mimo_recording, env: *mut mimo_env, step: usize, compare_fields: u32, at: *mut usize) -> mimo_status;
+
+    /// Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had
+    /// changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for
+    /// bit. Between two calls the world may be looked at, not changed.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
+    /// MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
+    ///
+    /// Experimental.
+    ///
+    /// * `block`: as in mimo_env_step.
+    ///
+    /// * `block_bytes`: as in mimo_env_step.
+    ///
+    /// * `results`: as in mimo_env_step.
+    pub fn mimo_recording_step(recording: *mut mimo_recording, env: *mut mimo_env, block: *mut c_void, block_bytes: usize, results: *const mimo_env_results) -> mimo_status;
+
+    /// Tells of the replay. Set report->struct_size first.
+    ///
+    /// Experimental.
+    pub fn mimo_recording_report(recording: *const mimo_recording, report: *mut mimo_replay_report) -> mimo_status;
 }

@@ -885,90 +885,6 @@ impl PictureConfig {
     }
 }
 
-/// What is recorded, and how.
-///
-/// Experimental.
-#[derive(Clone, Debug)]
-pub struct RecorderConfig {
-    pub(crate) raw: sys::mimo_recorder_config,
-    pub(crate) keep: Option<CString>,
-    pub(crate) configuration: Option<CString>,
-    pub(crate) hdf5: Option<CString>,
-}
-
-// The pointers inside are set for the length of a call only.
-unsafe impl Send for RecorderConfig {}
-unsafe impl Sync for RecorderConfig {}
-
-impl RecorderConfig {
-    /// With the library's defaults.
-    pub fn new() -> Result<RecorderConfig> {
-        RecorderConfig::of(defaults(sys::mimo_recorder_config_init)?)
-    }
-
-    pub(crate) fn of(raw: sys::mimo_recorder_config) -> Result<RecorderConfig> {
-        Ok(RecorderConfig { raw, keep: given(raw.keep)?, configuration: given(raw.configuration)?, hdf5: given(raw.hdf5)? })
-    }
-
-    pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_recorder_config) -> R) -> R {
-        let mut raw = self.raw;
-        raw.keep = pointer(&self.keep);
-        raw.configuration = pointer(&self.configuration);
-        raw.hdf5 = pointer(&self.hdf5);
-        use_it(&raw)
-    }
-
-    /// 0 for none to 9 for the smallest file. Default 4.
-    pub fn compression(&mut self, compression: u32) -> &mut Self {
-        self.raw.compression = compression;
-        self
-    }
-
-    /// Fields to keep of each step: "all", "none", or senses and fields with commas between them,
-    /// "touch,vision/eye_left". Unless set: proprioception and vestibular of whoever has them.
-    pub fn keep(&mut self, keep: &str) -> Result<&mut Self> {
-        self.keep = Some(c_string(keep)?);
-        Ok(self)
-    }
-
-    /// Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.
-    pub fn state_seconds(&mut self, state_seconds: f64) -> &mut Self {
-        self.raw.state_seconds = state_seconds;
-        self
-    }
-
-    /// Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default 1.
-    pub fn flush_seconds(&mut self, flush_seconds: f64) -> &mut Self {
-        self.raw.flush_seconds = flush_seconds;
-        self
-    }
-
-    /// What the program wants to find again: a text, best JSON. Unless set: "".
-    pub fn configuration(&mut self, configuration: &str) -> Result<&mut Self> {
-        self.configuration = Some(c_string(configuration)?);
-        Ok(self)
-    }
-
-    /// For people: the attribute `seed`. Replays do not need it. Default 0.
-    pub fn seed(&mut self, seed: u64) -> &mut Self {
-        self.raw.seed = seed;
-        self
-    }
-
-    /// Path of the HDF5 library; unless set: see above.
-    pub fn hdf5(&mut self, hdf5: &str) -> Result<&mut Self> {
-        self.hdf5 = Some(c_string(hdf5)?);
-        Ok(self)
-    }
-
-    /// true: a whole recording that is there, and that no program is using, is replaced. false (default): it stays,
-    /// and the recorder is refused.
-    pub fn replace(&mut self, replace: bool) -> &mut Self {
-        self.raw.replace = replace.into();
-        self
-    }
-}
-
 /// Settings of a batch. The autoreset modes are those of Gymnasium's vector environments.
 #[derive(Clone, Debug)]
 pub struct BatchConfig {
@@ -1109,6 +1025,90 @@ impl SensesConfig {
     /// Threads for one picture, as in [`EnvConfig`](crate::EnvConfig).
     pub fn render_threads(&mut self, render_threads: u32) -> &mut Self {
         self.raw.render_threads = render_threads;
+        self
+    }
+}
+
+/// What is recorded, and how.
+///
+/// Experimental.
+#[derive(Clone, Debug)]
+pub struct RecorderConfig {
+    pub(crate) raw: sys::mimo_recorder_config,
+    pub(crate) keep: Option<CString>,
+    pub(crate) configuration: Option<CString>,
+    pub(crate) hdf5: Option<CString>,
+}
+
+// The pointers inside are set for the length of a call only.
+unsafe impl Send for RecorderConfig {}
+unsafe impl Sync for RecorderConfig {}
+
+impl RecorderConfig {
+    /// With the library's defaults.
+    pub fn new() -> Result<RecorderConfig> {
+        RecorderConfig::of(defaults(sys::mimo_recorder_config_init)?)
+    }
+
+    pub(crate) fn of(raw: sys::mimo_recorder_config) -> Result<RecorderConfig> {
+        Ok(RecorderConfig { raw, keep: given(raw.keep)?, configuration: given(raw.configuration)?, hdf5: given(raw.hdf5)? })
+    }
+
+    pub(crate) fn with_raw<R>(&self, use_it: impl FnOnce(&sys::mimo_recorder_config) -> R) -> R {
+        let mut raw = self.raw;
+        raw.keep = pointer(&self.keep);
+        raw.configuration = pointer(&self.configuration);
+        raw.hdf5 = pointer(&self.hdf5);
+        use_it(&raw)
+    }
+
+    /// 0 for none to 9 for the smallest file. Default 4.
+    pub fn compression(&mut self, compression: u32) -> &mut Self {
+        self.raw.compression = compression;
+        self
+    }
+
+    /// Fields to keep of each step: "all", "none", or senses and fields with commas between them,
+    /// "touch,vision/eye_left". Unless set: proprioception and vestibular of whoever has them.
+    pub fn keep(&mut self, keep: &str) -> Result<&mut Self> {
+        self.keep = Some(c_string(keep)?);
+        Ok(self)
+    }
+
+    /// Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.
+    pub fn state_seconds(&mut self, state_seconds: f64) -> &mut Self {
+        self.raw.state_seconds = state_seconds;
+        self
+    }
+
+    /// Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default 1.
+    pub fn flush_seconds(&mut self, flush_seconds: f64) -> &mut Self {
+        self.raw.flush_seconds = flush_seconds;
+        self
+    }
+
+    /// What the program wants to find again: a text, best JSON. Unless set: "".
+    pub fn configuration(&mut self, configuration: &str) -> Result<&mut Self> {
+        self.configuration = Some(c_string(configuration)?);
+        Ok(self)
+    }
+
+    /// For people: the attribute `seed`. Replays do not need it. Default 0.
+    pub fn seed(&mut self, seed: u64) -> &mut Self {
+        self.raw.seed = seed;
+        self
+    }
+
+    /// Path of the HDF5 library; unless set: see above.
+    pub fn hdf5(&mut self, hdf5: &str) -> Result<&mut Self> {
+        self.hdf5 = Some(c_string(hdf5)?);
+        Ok(self)
+    }
+
+    /// true: a whole recording that is there, and that no program is using, is replaced. false (default): it stays,
+    /// and the recorder is refused.
+    pub fn replace(&mut self, replace: bool) -> &mut Self {
+        self.raw.replace = replace.into();
         self
     }
 }

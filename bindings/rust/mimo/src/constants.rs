@@ -172,6 +172,8 @@ flags! {
     POSITION = MIMO_PROPRIOCEPTION_POSITION,
     /// proprioception/effort, 0 to 1: see docs/guide/muscles.md.
     EFFORT = MIMO_PROPRIOCEPTION_EFFORT,
+    /// All bits of the loaded library.
+    ALL = MIMO_PROPRIOCEPTION_ALL,
     /// Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default.
     /// proprioception/spindle_primary, two muscles per motor: Ia.
     ///
@@ -189,8 +191,6 @@ flags! {
     ///
     /// Experimental.
     JOINT_RECEPTOR = MIMO_PROPRIOCEPTION_JOINT_RECEPTOR,
-    /// All bits of the loaded library.
-    ALL = MIMO_PROPRIOCEPTION_ALL,
 }
 
 flags! {
@@ -572,11 +572,6 @@ values! {
     BODY_CENTER_OF_MASS = MIMO_BODY_CENTER_OF_MASS,
     /// Body: 7, position and orientation. Writable as [`Quantity::BODY_POSITION`](crate::Quantity::BODY_POSITION).
     BODY_POSE = MIMO_BODY_POSE,
-    /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
-    /// their way; 0 for what is no part of one.
-    ///
-    /// Experimental.
-    BODY_NERVE_LENGTH = MIMO_BODY_NERVE_LENGTH,
     /// Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.
     JOINT_POSITION = MIMO_JOINT_POSITION,
     /// Joint: 1, 3 or 6. Writable.
@@ -627,13 +622,6 @@ values! {
     ACTUATOR_FORCE = MIMO_ACTUATOR_FORCE,
     /// Actuator: 1, Nm at control 1. Writable, W.
     ACTUATOR_GEAR = MIMO_ACTUATOR_GEAR,
-    /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
-    /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where
-    /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`](crate::Proprioception::SPINDLE_PRIMARY) or
-    /// _SECONDARY. Writable.
-    ///
-    /// Experimental.
-    ACTUATOR_FUSIMOTOR_DRIVE = MIMO_ACTUATOR_FUSIMOTOR_DRIVE,
     /// Sensor: its dimension.
     SENSOR_VALUE = MIMO_SENSOR_VALUE,
     /// Light: 3, m, in the frame of its body, mostly the world. Writable, W.
@@ -680,12 +668,24 @@ values! {
     AGENT_ACHIEVED = MIMO_AGENT_ACHIEVED,
     /// Agent: 1, months, as [`Growth`](crate::Growth) says: of size and mass. None where the agent is no infant.
     AGENT_AGE = MIMO_AGENT_AGE,
+    /// World: 3, m/s^2, world frame. Writable, W.
+    WORLD_GRAVITY = MIMO_WORLD_GRAVITY,
+    /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on
+    /// their way; 0 for what is no part of one.
+    ///
+    /// Experimental.
+    BODY_NERVE_LENGTH = MIMO_BODY_NERVE_LENGTH,
+    /// Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that
+    /// pulls to the negative side, then of the other; until you change it or the world is reset, 70 each. None where
+    /// its agent senses no spindles, [`Proprioception::SPINDLE_PRIMARY`](crate::Proprioception::SPINDLE_PRIMARY) or
+    /// _SECONDARY. Writable.
+    ///
+    /// Experimental.
+    ACTUATOR_FUSIMOTOR_DRIVE = MIMO_ACTUATOR_FUSIMOTOR_DRIVE,
     /// Agent: 1, months, of strength, range of motion and tone; likewise.
     ///
     /// Experimental.
     AGENT_PHYSIOLOGICAL_AGE = MIMO_AGENT_PHYSIOLOGICAL_AGE,
-    /// World: 3, m/s^2, world frame. Writable, W.
-    WORLD_GRAVITY = MIMO_WORLD_GRAVITY,
     /// Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable
     /// with 0, to count anew.
     ///

@@ -38,6 +38,66 @@ impl Limits {
     }
 }
 
+/// One action: by default a motor's control input as a share of its largest torque; agent.h has the alternatives.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Action {
+    /// Name of its actuator, "act:left_elbow", or muscle.
+    pub name: String,
+    /// "rad" under position control without normalize_actions; "" for none.
+    pub unit: String,
+    /// Index of its agent.
+    pub agent: usize,
+    /// Smallest value, representable as a float; -infinity if there is none.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+}
+
+impl Action {
+    pub(crate) fn of(raw: &sys::mimo_action) -> Action {
+        Action { name: text(raw.name), unit: text(raw.unit), agent: raw.agent, low: raw.low, high: raw.high }
+    }
+}
+
+/// A part of an agent's reward; the reward is their sum.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Term {
+    /// "distance".
+    pub name: String,
+    /// Index of the agent whose reward it is part of.
+    pub agent: usize,
+}
+
+impl Term {
+    pub(crate) fn of(raw: &sys::mimo_term) -> Term {
+        Term { name: text(raw.name), agent: raw.agent }
+    }
+}
+
+/// A parameter of a task.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Parameter {
+    /// "reach/success_reward".
+    pub name: String,
+    /// One line, with the unit.
+    pub description: String,
+    /// Default value.
+    pub standard: f64,
+    /// Smallest allowed value.
+    pub low: f64,
+    /// Largest allowed value. A range from 0 to 1 may be a switch; the description says so.
+    pub high: f64,
+}
+
+impl Parameter {
+    pub(crate) fn of(raw: &sys::mimo_parameter) -> Parameter {
+        Parameter { name: text(raw.name), description: text(raw.description), standard: raw.standard, low: raw.low, high: raw.high }
+    }
+}
+
 /// The maturity of an agent's eyes and nerves. docs/guide/maturity.md gives the sources and names the weak ones. A
 /// nerve of length L adds a delay of L / conduction_speed, and its path in the brain adds another one:
 ///
@@ -90,74 +150,6 @@ impl Maturity {
 
     pub(crate) fn raw(&self) -> Result<sys::mimo_maturity> {
         Ok(sys::mimo_maturity { contrast_threshold: self.contrast_threshold.into(), acuity: self.acuity, peak_contrast: self.peak_contrast, chroma: self.chroma, flicker: self.flicker, conduction_speed: self.conduction_speed, sensory_delay: self.sensory_delay, motor_delay: self.motor_delay, vision_delay: self.vision_delay, vestibular_delay: self.vestibular_delay, hearing_delay: self.hearing_delay, ..defaults(sys::mimo_maturity_init)? })
-    }
-}
-
-/// One action: by default a motor's control input as a share of its largest torque; agent.h has the alternatives.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Action {
-    /// Name of its actuator, "act:left_elbow", or muscle.
-    pub name: String,
-    /// "rad" under position control without normalize_actions; "" for none.
-    pub unit: String,
-    /// Index of its agent.
-    pub agent: usize,
-    /// Smallest value, representable as a float; -infinity if there is none.
-    pub low: f64,
-    /// Largest value.
-    pub high: f64,
-}
-
-impl Action {
-    pub(crate) fn of(raw: &sys::mimo_action) -> Action {
-        Action { name: text(raw.name), unit: text(raw.unit), agent: raw.agent, low: raw.low, high: raw.high }
-    }
-}
-
-/// A part of an agent's reward; the reward is their sum.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Term {
-    /// "distance".
-    pub name: String,
-    /// Index of the agent whose reward it is part of.
-    pub agent: usize,
-}
-
-impl Term {
-    pub(crate) fn of(raw: &sys::mimo_term) -> Term {
-        Term { name: text(raw.name), agent: raw.agent }
-    }
-}
-
-/// Seconds spent in the parts of steps since the last [`mimo_env_timing_reset`](crate::sys::mimo_env_timing_reset).
-///
-/// Experimental.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Timing {
-    /// Number of environment steps.
-    pub steps: u64,
-    /// The whole steps.
-    pub total: Duration,
-    /// Physics steps.
-    pub physics: Duration,
-    /// Sense of touch.
-    pub touch: Duration,
-    /// Drawing the eyes' pictures.
-    pub vision: Duration,
-    /// Joint senses.
-    pub proprioception: Duration,
-    /// Accelerometer and gyroscope.
-    pub vestibular: Duration,
-    /// Sounds, and their paths to the ears.
-    pub hearing: Duration,
-}
-
-impl Timing {
-    pub(crate) fn of(raw: &sys::mimo_timing) -> Timing {
-        Timing { steps: raw.steps, total: Duration::from_secs_f64(raw.total), physics: Duration::from_secs_f64(raw.physics), touch: Duration::from_secs_f64(raw.touch), vision: Duration::from_secs_f64(raw.vision), proprioception: Duration::from_secs_f64(raw.proprioception), vestibular: Duration::from_secs_f64(raw.vestibular), hearing: Duration::from_secs_f64(raw.hearing) }
     }
 }
 
@@ -228,6 +220,36 @@ impl Light {
     }
 }
 
+/// Seconds spent in the parts of steps since the last [`mimo_env_timing_reset`](crate::sys::mimo_env_timing_reset).
+///
+/// Experimental.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Timing {
+    /// Number of environment steps.
+    pub steps: u64,
+    /// The whole steps.
+    pub total: Duration,
+    /// Physics steps.
+    pub physics: Duration,
+    /// Sense of touch.
+    pub touch: Duration,
+    /// Drawing the eyes' pictures.
+    pub vision: Duration,
+    /// Joint senses.
+    pub proprioception: Duration,
+    /// Accelerometer and gyroscope.
+    pub vestibular: Duration,
+    /// Sounds, and their paths to the ears.
+    pub hearing: Duration,
+}
+
+impl Timing {
+    pub(crate) fn of(raw: &sys::mimo_timing) -> Timing {
+        Timing { steps: raw.steps, total: Duration::from_secs_f64(raw.total), physics: Duration::from_secs_f64(raw.physics), touch: Duration::from_secs_f64(raw.touch), vision: Duration::from_secs_f64(raw.vision), proprioception: Duration::from_secs_f64(raw.proprioception), vestibular: Duration::from_secs_f64(raw.vestibular), hearing: Duration::from_secs_f64(raw.hearing) }
+    }
+}
+
 /// What a recording holds. Its strings belong to the recording.
 ///
 /// Experimental.
@@ -289,27 +311,5 @@ pub struct ReplayReport {
 impl ReplayReport {
     pub(crate) fn of(raw: &sys::mimo_replay_report) -> ReplayReport {
         ReplayReport { identical: raw.identical == 1, next: raw.next, steps: raw.steps, first_difference: raw.first_difference, largest_difference: raw.largest_difference, differs_most_in: text(raw.differs_most_in) }
-    }
-}
-
-/// A parameter of a task.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Parameter {
-    /// "reach/success_reward".
-    pub name: String,
-    /// One line, with the unit.
-    pub description: String,
-    /// Default value.
-    pub standard: f64,
-    /// Smallest allowed value.
-    pub low: f64,
-    /// Largest allowed value. A range from 0 to 1 may be a switch; the description says so.
-    pub high: f64,
-}
-
-impl Parameter {
-    pub(crate) fn of(raw: &sys::mimo_parameter) -> Parameter {
-        Parameter { name: text(raw.name), description: text(raw.description), standard: raw.standard, low: raw.low, high: raw.high }
     }
 }

@@ -1,5 +1,5 @@
 /**
- * @file mimo/recording.h
+ * @file mimo/experimental/recording.h
  * Recordings: what a program does with a world, written into one HDF5 file by itself, and played again from there.
  * docs/guide/recordings.md has the file's layout. HDF5 1.10 or later is loaded when it is first needed: the one that
  * `hdf5` of a call names, else that of the environment variable MIMO_HDF5, else the system's. It stays for the
@@ -7,10 +7,10 @@
  * MIMO_E_UNSUPPORTED where HDF5's own variables (HDF5_...) are set. HDF5 itself does not survive it when memory runs
  * out while it starts.
  */
-#ifndef MIMO_RECORDING_H
-#define MIMO_RECORDING_H
+#ifndef MIMO_EXPERIMENTAL_RECORDING_H
+#define MIMO_EXPERIMENTAL_RECORDING_H
 
-#include "env.h"
+#include "../env.h"
 
 #ifdef __cplusplus
 extern "C" {
