@@ -11,10 +11,13 @@
  *
  * Everything that mimo.h says holds here; its functions take env.get(). A failed call throws mimo::Exception.
  * This is the one header to include; its chapters lie in mimo/hpp.
+ * Its names are in an inline namespace of the minor version, so parts of a program may be compiled with different ones.
+ * It includes mimo.h and experimental.h; methods that call experimental functions are experimental, too.
  */
 #ifndef MIMO_HPP
 #define MIMO_HPP
 
+#include "experimental.h"
 #include "hpp/batch.hpp"
 #include "hpp/configs.hpp"
 #include "hpp/env.hpp"
@@ -27,7 +30,6 @@
 #include "hpp/scene.hpp"
 #include "hpp/senses.hpp"
 #include "hpp/task.hpp"
-#include "experimental.h"
 
 /// libmimo for C++, see mimo.hpp.
 namespace mimo {}

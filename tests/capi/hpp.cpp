@@ -4,6 +4,8 @@
 #include <cstring>
 #include <mimo/mimo.hpp>
 #include <new>
+#include <string>
+#include <typeinfo>
 
 #include "support/capi.h"
 
@@ -172,9 +174,16 @@ void check_batch() {
   CHECK(batch.env(2).face() == "fear");
 }
 
+// Parts of a program that were compiled with headers of different minor versions do not share classes.
+void check_version_in_names() {
+  const std::string version = "v" + std::to_string(MIMO_API_MAJOR) + "_" + std::to_string(MIMO_API_MINOR);
+  CHECK(std::string(typeid(mimo::Env).name()).find(version) != std::string::npos);
+}
+
 }  // namespace
 
 int main() {
+  check_version_in_names();
   check_errors();
   check_blocks();
   check_steps_that_allocate_nothing();

@@ -13,6 +13,7 @@
 #include "env.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 namespace detail {
 inline void destroy_batch(mimo_batch *batch) { mimo_batch_destroy(batch); }
@@ -172,6 +173,7 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
   }
 };
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

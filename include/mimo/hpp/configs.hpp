@@ -13,6 +13,7 @@
 #include "handles.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 namespace detail {
 template <typename Config>
@@ -111,6 +112,7 @@ inline std::uint32_t api_version() { return mimo_api_version(); }
 /// Other than MIMO_ABI_VERSION if the program was built with headers that do not belong to the library.
 inline std::uint32_t abi_version() { return mimo_abi_version(); }
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

@@ -16,6 +16,7 @@
 #include "scene.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 namespace detail {
 inline void destroy_env(mimo_env *env) { mimo_env_destroy(env); }
@@ -412,6 +413,7 @@ inline Env make(const std::string &scene_name) {
   return Env(env);
 }
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

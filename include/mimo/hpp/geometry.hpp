@@ -13,6 +13,7 @@
 #include "handles.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 /// A geom as triangles, see mimo_mesh.
 struct Mesh {
@@ -74,6 +75,7 @@ inline Texture texture_of(const mimo_env *env, std::int32_t id) {
 }
 }  // namespace detail
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

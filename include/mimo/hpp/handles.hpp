@@ -13,6 +13,7 @@
 #include "../experimental.h"
 
 namespace mimo {
+inline namespace v1_0 {
 
 /// What a failed call throws: its status, and the library's message.
 class Exception : public std::runtime_error {
@@ -72,6 +73,7 @@ class Handle {
   T *handle_;
 };
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

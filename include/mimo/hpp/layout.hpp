@@ -16,6 +16,7 @@
 #include "results.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 /// What a world, a batch or attached senses observe, act with and are rewarded for. It belongs to them, as do the
 /// strings of what it describes.
@@ -124,6 +125,7 @@ Layout layout_of(const T *handle, mimo_status (*get)(const T *, const mimo_layou
 }
 }  // namespace detail
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

@@ -14,6 +14,7 @@
 #include "handles.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 /// The dtype of a field for a C++ type.
 template <typename T>
@@ -83,6 +84,7 @@ class Block {
   std::size_t bytes_;
 };
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

@@ -13,6 +13,7 @@
 #include "env.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 namespace detail {
 inline void close_recorder(mimo_recorder *recorder) { static_cast<void>(mimo_recorder_close(recorder)); }
@@ -101,6 +102,7 @@ class Recording : public Handle<mimo_recording, detail::destroy_recording> {
   }
 };
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

@@ -17,6 +17,7 @@
 #include "../experimental.h"
 
 namespace mimo {
+inline namespace v1_0 {
 
 /// What a step returns for one agent.
 struct Result {
@@ -147,6 +148,7 @@ void make_room(Picture<Pixel> &picture, const mimo_picture_config &config, bool 
 }
 }  // namespace detail
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

@@ -12,6 +12,7 @@
 #include "configs.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 namespace detail {
 inline void destroy_scene(mimo_scene *scene) { mimo_scene_destroy(scene); }
@@ -153,6 +154,7 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   }
 };
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

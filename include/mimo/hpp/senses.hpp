@@ -13,6 +13,7 @@
 #include "scene.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 namespace detail {
 inline void destroy_senses(mimo_senses *senses) { mimo_senses_destroy(senses); }
@@ -75,6 +76,7 @@ class Senses : public Handle<mimo_senses, detail::destroy_senses> {
   }
 };
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif

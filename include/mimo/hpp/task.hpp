@@ -16,6 +16,7 @@
 #include "env.hpp"
 
 namespace mimo {
+inline namespace v1_0 {
 
 /// A field of the observation that a task fills: single precision, one for each agent.
 struct TaskField {
@@ -120,6 +121,7 @@ inline void Scene::set_task(Task &task) {
   check(mimo_scene_set_task(get(), &raw));
 }
 
+}  // namespace v1_0
 }  // namespace mimo
 
 #endif
