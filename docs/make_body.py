@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes guide/body.md, the names of the infant's parts, from what the library says: python docs/make_body.py"""
+"""Writes guide/body.md, the names of the infant's parts, as the library reports them: python docs/make_body.py"""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ Row = Tuple[str, ...]
 
 INTRODUCTION = """# The body's names
 
-Bodies, joints and motors by name, as `mimo_env_find` and Python's `world.joints(...)` take them. Motors often have
-another name than the joint that they move. A named infant has its name in front: `anna/robot:left_elbow`,
+The names of bodies, joints and motors for `mimo_env_find` and Python's `world.joints(...)`. A motor's name often differs
+from the name of the joint that it moves. If an infant has a name, that name comes first: `anna/robot:left_elbow`,
 `anna/act:left_elbow`.
 
-This page is written by the library: `python docs/make_body.py`.
+The library writes this page: `python docs/make_body.py`.
 
-**Ranges** are in degrees here; the library's numbers are radians. **+** says how the joint's body turns when the angle
-grows: about this axis of the world, by the right-hand rule. That is with all joints at 0: the infant stands upright,
-its arms hang down, it looks along x; y is its left, z is up.
+**Ranges** are in degrees here; the library uses radians. The column **+** gives the axis about which the joint's body
+turns when the angle grows: an axis of the world, by the right-hand rule, with all joints at 0. The infant then stands
+upright, its arms hang down and it looks along x; y is to its left, z is up.
 
-| + | its top | what hangs down |
+| + | the body's upper end | a hanging limb |
 |---|---|---|
 | +x, -x | leans to its right; to its left | swings to its left; to its right |
 | +y, -y | bends forward; back | swings back; forward |
@@ -41,7 +41,7 @@ So negative angles bend elbows and knees, and a negative `robot:right_hip1` lift
 
 
 def world_of(body: str) -> mimo.World:
-    """An infant that stands upright and senses nothing but its joints."""
+    """An infant that stands upright and senses only its joints."""
     return mimo.World("free", body=body, vision=False, touch=False)
 
 
@@ -84,7 +84,7 @@ def joints_of(body: str) -> List[Row]:
 
 
 def bodies_of(body: str) -> List[Row]:
-    """Every body, what it hangs on, and its mass."""
+    """Every body, its parent, and its mass."""
     world = world_of(body)
     bodies = world.bodies()
     names, masses = bodies.names, bodies.mass
@@ -106,31 +106,31 @@ def page() -> str:
     joints, bodies = joints_of("mitten"), bodies_of("mitten")
     more_joints = [row for row in joints_of("fingers") if row not in joints]
     more_bodies = [row for row in bodies_of("fingers") if row[0] not in {name for name, *_ in bodies}]
-    joint_head, body_head = ("joint", "moves", "range, degrees", "+", "motor"), ("body", "hangs on", "g")
+    joint_head, body_head = ("joint", "moves", "range, degrees", "+", "motor"), ("body", "parent", "mass, g")
     return "\n".join(
         [
             INTRODUCTION,
             "## Joints and motors",
             "",
             table(joint_head, joints),
-            "The upper trunk's joints have no motors: tendons make them follow those of the lower trunk.",
+            "The upper trunk's joints have no motors: tendons make them follow the lower trunk's joints.",
             "",
             "## Bodies",
             "",
             table(body_head, bodies),
-            "## Where five fingers differ",
+            "## Five fingers",
             "",
-            '`body = "fingers"` has these in place of the mittens\' fingers, and big toes. The other joints are as',
-            "above; the other bodies weigh a little more, hands and feet less.",
+            '`body = "fingers"` has these parts in place of the mittens, and big toes. The other joints are the same; the',
+            "other bodies weigh a little more, hands and feet less.",
             "",
             table(joint_head, more_joints),
             table(body_head, more_bodies),
             "## Left and right",
             "",
             "The left side is the mirror image of the right one, except for one thing in each body, as in the",
-            "original: the mitten's left hand lies 14 mm off the image of the right one, and the first bone of the",
-            "left little finger (`robot:left_lf_meta`) turns about another axis. `mitten-mirrored` and",
-            "`fingers-mirrored` are the same bodies without that ([differences](../differences.md)).",
+            "original: the mitten's left hand lies 14 mm off the mirror image, and the first bone of the left little",
+            "finger (`robot:left_lf_meta`) turns about another axis. `mitten-mirrored` and `fingers-mirrored` are the",
+            "same bodies without these differences ([differences](../differences.md)).",
             "",
         ]
     )

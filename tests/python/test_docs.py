@@ -1,4 +1,4 @@
-"""Pages that are made of what the library says."""
+"""Pages that are generated from the library, and names that pages use."""
 
 import importlib.util
 import re
@@ -30,12 +30,12 @@ def test_names_of_the_original_on_its_page(root):
     named = set(re.findall(rf"\b(?:{families})/\w+(?:-v\d)?", re.sub(r"\(.*?\)", "", page))) - {"mimo/Reach"}
     assert len(named) > 20
     assert named <= known
-    for option in re.findall(r"`(\w+)=", page.split("## What an environment")[1].split("## Observations")[0]):
+    for option in re.findall(r"`(\w+)=", page.split("## Options of an environment")[1].split("## Observations")[0]):
         if option not in ("proprio_params", "touch_params", "vision_params", "actuation_model"):
             assert option in {*enums(EnvOptions), "touch_function", "response_function"}
     for name, steps in re.findall(r"`mimo/(\w+)-v0` \| (\d+) \|", page):
         assert mimo.Scene("reach").parameters[f"{name.lower()}/episode_steps"] == int(steps)
-    faces = page.split("| face there")[1].split("## Learning")[0]
+    faces = page.split("| face of the original")[1].split("## Learning")[0]
     assert set(re.findall(r"`(\w+)`", faces)) == set(mimo.faces())
 
 
