@@ -201,21 +201,21 @@ def shortened(message):
 def tables(visits, expected, versions):
     yield from packages_table(visits, versions)
     refused = [(expected[v.name][0], v.name) for v in visits if v.outcome == "refused" and v.name in expected]
-    yield from ["", "## What is refused", "", "| reason | models | for example |", "|---|--:|---|", *grouped(refused)]
+    yield from ["", "## Refused models", "", "| reason | models | for example |", "|---|--:|---|", *grouped(refused)]
     yield from ["", "| file | message |", "|---|---|"]
     yield from (f"| `{v.name}` | {shortened(v.message)} |" for v in visits if v.outcome == "refused")
     drawn = [(shortened(v.words["no_rays"]), v.name) for v in visits if v.outcome == "ok" and "no_rays" in v.words]
     if drawn:
-        yield from ["", "## What rays do not draw", "", "| message | models | for example |", "|---|--:|---|"]
+        yield from ["", "## Models that rays do not draw", "", "| message | models | for example |", "|---|--:|---|"]
         yield from grouped(drawn)
     infants = [(shortened(v.words["infant"]), v.name) for v in visits if v.words.get("infant", "ok") != "ok"]
     if infants:
-        yield from ["", "## Where no infant can be", "", "| message | models | for example |", "|---|--:|---|"]
+        yield from ["", "## Models that cannot have an infant", "", "| message | models | for example |", "|---|--:|---|"]
         yield from grouped(infants)
 
 
 def write_tables(path, text):
-    """Replaces what follows the mark in the article."""
+    """Replaces the text after the mark on the page."""
     mark = "<!-- What follows is written by ./dev zoo --write -->\n"
     before = path.read_text().split(mark)[0]
     path.write_text(before + mark + "\n" + text + "\n")
