@@ -8,9 +8,12 @@ from .constants import Status
 
 
 class Error(Exception):
-    """Base of all exceptions for failed calls; `status` is what the call returned."""
+    """Base of all exceptions for failed calls, itself raised for a status that only a newer library has.
 
-    status = Status.OK
+    `status` is the status that the call returned.
+    """
+
+    status: int = Status.OK
 
 
 class ArgumentError(Error, ValueError):
@@ -88,7 +91,6 @@ BY_STATUS: Dict[int, Type[Error]] = {
 
 def make_error(status: int, message: str) -> Error:
     """The exception for a status."""
-    known = Status(status) if status in BY_STATUS else Status.INTERNAL
-    error = BY_STATUS[known](message)
-    error.status = known
+    error = BY_STATUS.get(status, Error)(message)
+    error.status = Status(status) if status in BY_STATUS else status
     return error
