@@ -30,7 +30,8 @@ def test_every_failure_has_its_exception():
         mimo.Scene("nowhere")
     assert caught.value.status is mimo.Status.NOT_FOUND
     newer = errors.make_error(-99, "only a newer library knows it")
-    assert type(newer) is mimo.Error and newer.status == -99
+    assert type(newer) is mimo.Error
+    assert newer.status == -99
 
 
 SELECTIONS = [kind for kind in vars(selections).values() if isinstance(kind, type) and kind.__base__ is Selection]
