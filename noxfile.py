@@ -1,4 +1,7 @@
-"""Sessions of nox that test the Python package; ./dev test makes the wheel that they install, and runs them."""
+"""Sessions of nox that test the Python package; ./dev test makes the wheel that they install, and runs them.
+
+`build/tools/bin/nox --envdir build/nox -s package -- tests/python/test_env.py -x` runs some of a session's tests.
+"""
 
 import shutil
 from pathlib import Path
@@ -33,14 +36,15 @@ def install_learner(session: nox.Session, extra: str, *lists: str) -> None:
 def check(session: nox.Session, *names: str, guides: str = "") -> None:
     """Runs files of tests/python, and the programs of the pages that belong to these."""
     files = [f"tests/python/test_{name}.py" for name in names]
-    session.run(*PYTEST, *files, *(("tests/python/test_guides.py", "--guides", guides) if guides else ()))
+    files += ["tests/python/test_guides.py", "--guides", guides] if guides else []
+    session.run(*PYTEST, *(session.posargs or files))
 
 
 @nox.session
 def package(session: nox.Session) -> None:
     """All tests that need no learner."""
     install(session, "test")
-    session.run(*PYTEST, "tests/python", "--ignore", "tests/python/test_sb3.py")
+    session.run(*PYTEST, *(session.posargs or ["tests/python", "--ignore", "tests/python/test_sb3.py"]))
 
 
 @nox.session(python=["3.9", "3.10", "3.11", "3.12", "3.13"])
@@ -90,7 +94,7 @@ def mujoco(session: nox.Session) -> None:
     """Programs of the pages beside the package mujoco, with the library that was built on MuJoCo 4."""
     for one in ("test", "mujoco"):
         session.install("-q", "--require-hashes", "--only-binary=:all:", "-r", f"tools/pins/{one}.txt")
-    library = ROOT / "build-mujoco4/lib/libmimo-mujoco4.so"
+    library = ROOT / "build-mujoco4/lib/libmimo.so"
     sources = ROOT / "bindings/python/src"
     session.env.update(MIMO_LIBRARY=str(library), PYTHONPATH=str(sources))
     check(session, guides="mujoco")

@@ -25,14 +25,15 @@ function(mimo_on_this_platform variable)
   set(${variable} ${${variable}} PARENT_SCOPE)
 endfunction()
 
-# mimo_room(<name> ABOUT <text> [OUTSIDE] [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
+# mimo_room(<name> ABOUT <text> [OUTSIDE] [APART] [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
 #           [LINUX_ELSE <file>])
 # Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only. ABOUT says in a
 # line what the room does. Whoever sees a room's headers sees those of its LIBRARIES as well. The file of LINUX_ELSE is
 # all that the room has on other systems than Linux, and is left out there. A room with OUTSIDE is a part of programs,
-# not of libmimo.so: it is written against the public headers, like any user's program.
+# not of libmimo.so: it is written against the public headers, like any user's program. The files of a room are compiled in
+# batches, except with APART, where several files give one name to different things.
 function(mimo_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "OUTSIDE" "ABOUT;LINUX_ELSE" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "OUTSIDE;APART" "ABOUT;LINUX_ELSE" "DEPENDS;LIBRARIES;SOURCES")
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
   set(include_dir ${MIMO_ROOMS}/${name})
   file(MAKE_DIRECTORY ${include_dir})
@@ -53,6 +54,9 @@ function(mimo_room name)
       target_link_libraries(mimo_${name} PUBLIC mimo::mimo)
     else()
       target_compile_definitions(mimo_${name} PRIVATE MIMO_BUILDING)
+    endif()
+    if(NOT room_APART)  # most of the compile time goes into headers, which a batch reads once
+      set_target_properties(mimo_${name} PROPERTIES UNITY_BUILD ${MIMO_UNITY} UNITY_BUILD_BATCH_SIZE 8)
     endif()
     target_include_directories(mimo_${name} PUBLIC ${include_dir})
     target_link_libraries(mimo_${name} PUBLIC ${room_LIBRARIES} PRIVATE ${dependencies})
@@ -93,10 +97,9 @@ function(mimo_program target room output)
   endif()
 endfunction()
 
-# mimo_compile_as_program(<room>): a room with OUTSIDE spends its time in the library, and CLI11 takes long to compile: its
-# files are read together, and optimised little, as that takes a minute a file with sanitizers.
+# mimo_compile_as_program(<room>): a room with OUTSIDE spends its time in the library, and CLI11 takes long to compile: a
+# minute a file with sanitizers. It is optimised little.
 function(mimo_compile_as_program room)
-  set_target_properties(mimo_${room} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
   target_compile_options(mimo_${room} PRIVATE $<IF:$<BOOL:${MIMO_SANITIZE}>,-O0,-O1>)
 endfunction()
 

@@ -81,7 +81,12 @@ def build_mujoco4():
 def leave_mujoco4():
     """Removes these copies; the next build makes its own files again."""
     if IN_USE.exists():
-        for file in [*BUILD.glob("lib/libmimo-mujoco4.so*"), *BUILD.glob("lib/libmujoco.so.4*"), BUILD / "bin/mimo", IN_USE]:
+        for file in [
+            *BUILD.glob("lib/libmimo-mujoco4.so*"),
+            *BUILD.glob("lib/libmujoco.so.4*"),
+            BUILD / "bin/mimo",
+            IN_USE,
+        ]:
             file.unlink(missing_ok=True)
 
 

@@ -26,7 +26,13 @@ def run_workflow(preset):
     if preset == "release":
         leave_mujoco4()
     print(f"Tests, {preset}")
-    run("cmake", "--workflow", "--preset", preset, env={"CTEST_PARALLEL_LEVEL": CORES})
+    try:
+        run("cmake", "--workflow", "--preset", preset, env={"CTEST_PARALLEL_LEVEL": CORES})
+    finally:
+        print_slowest(preset)
+
+
+def print_slowest(preset):
     times = sorted(((float(case.get("time")), case.get("name")) for case in cases(preset)), reverse=True)
     print(f"The slowest of {len(times)} tests, which took {sum(time for time, _ in times):.0f} s together:")
     for time, name in times[:SLOWEST]:

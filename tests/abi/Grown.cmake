@@ -21,7 +21,7 @@ get_property(below GLOBAL PROPERTY mimo_below_capi)
 list(REMOVE_ITEM below mimo_capi)
 add_library(mimo_grown SHARED ${border} ${grown}/names.cpp ${grown}/grown.cpp)
 add_dependencies(mimo_grown grown_headers)
-set_target_properties(mimo_grown PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)  # as in src/capi
+set_target_properties(mimo_grown PROPERTIES UNITY_BUILD ${MIMO_UNITY} UNITY_BUILD_BATCH_SIZE 8)  # as rooms are
 target_compile_definitions(mimo_grown PRIVATE MIMO_BUILDING)
 target_include_directories(mimo_grown BEFORE PRIVATE ${grown}/include ${MIMO_ROOMS}/capi)
 target_link_libraries(mimo_grown PRIVATE ${below})
