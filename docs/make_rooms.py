@@ -2,7 +2,7 @@
 """Writes the table and the drawing of rooms in docs/architecture.md, out of the CMake lists of src/.
 
 With --check nothing is written: fails where the page differs, and where a room names another one whose headers none of
-its files sees, or sees one that it does not name.
+its files sees, or sees one that it does not name, or calls MuJoCo's functions without being the engine or a renderer.
 """
 
 import re
@@ -13,6 +13,8 @@ from typing import NamedTuple
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/architecture.md"
 CALL = re.compile(r"mimo_room\(\s*(\w+)\s+(OUTSIDE\s+)?ABOUT\s+\"([^\"]*)\"([^)]*)\)")
+CALLERS_OF_MUJOCO = ("compat", "solver", "engine", "render", "rays", "opengl", "geometry")
+MUJOCO_CALL = re.compile(r"\bmj[uvr]?_\w+\s*\(")
 INCLUDE = re.compile(r'^\s*#\s*include "((\w+)/[^"]+)"', re.MULTILINE)
 
 
@@ -100,6 +102,16 @@ def wrong_arrows(rooms):
             yield f"src/{name} includes headers of {other}, but does not name it"
 
 
+def forbidden_calls():
+    """MuJoCo's functions fail by a jump, so only the engine, which guards them, and renderers call them."""
+    for path in sorted(p for p in (ROOT / "src").rglob("*") if p.suffix in (".h", ".cpp")):
+        if path.relative_to(ROOT / "src").parts[0] in CALLERS_OF_MUJOCO:
+            continue
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            if MUJOCO_CALL.search(line.split("//")[0]):
+                yield f"{path.relative_to(ROOT)}:{number} calls MuJoCo, which only {', '.join(CALLERS_OF_MUJOCO)} may"
+
+
 def main():
     rooms = read_rooms()
     text = PAGE.read_text()
@@ -107,7 +119,7 @@ def main():
     if "--check" not in sys.argv[1:]:
         PAGE.write_text(made)
         return
-    complaints = list(wrong_arrows(rooms))
+    complaints = [*wrong_arrows(rooms), *forbidden_calls()]
     if made != text:
         complaints.append("docs/architecture.md differs from the CMake lists; run docs/make_rooms.py")
     sys.exit("\n".join(complaints) or None)

@@ -15,7 +15,7 @@ import numpy as np
 import mimo
 
 HERE = Path(__file__).resolve().parent
-TABLES = HERE.parents[1] / "tests/golden/growth/who_lms.csv"
+TABLES = HERE.parents[1] / "src/growth/who_lms.csv"
 MONTHS = np.arange(0, 24.01, 1.5)
 SEXES = {"female": "f", "male": "m"}
 COLORS = {"female": "tab:orange", "male": "tab:blue"}

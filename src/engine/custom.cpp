@@ -3,10 +3,30 @@
 #include <mujoco/mujoco.h>
 
 namespace mimo::engine {
+namespace {
+
+std::vector<std::string> names_of(const mjModel& model, mjtObj type, int count) {
+  std::vector<std::string> names;
+  for (int id = 0; id < count; ++id) {
+    const char* name = mj_id2name(&model, type, id);
+    names.emplace_back(name == nullptr ? "" : name);
+  }
+  return names;
+}
+
+}  // namespace
 
 std::string custom_text(const mjModel& model, const std::string& name) {
   const int id = mj_name2id(&model, mjOBJ_TEXT, name.c_str());
   return id < 0 ? "" : model.text_data + model.text_adr[id];
+}
+
+std::vector<std::string> custom_number_names(const mjModel& model) {
+  return names_of(model, mjOBJ_NUMERIC, static_cast<int>(model.nnumeric));
+}
+
+std::vector<std::string> custom_tuple_names(const mjModel& model) {
+  return names_of(model, mjOBJ_TUPLE, static_cast<int>(model.ntuple));
 }
 
 Span<const double> custom_numbers(const mjModel& model, const std::string& name) {

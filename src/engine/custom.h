@@ -12,6 +12,10 @@ namespace mimo::engine {
 // "" if there is none of that name.
 std::string custom_text(const mjModel& model, const std::string& name);
 
+// Names of all lists of numbers, and of all tuples; "" for those without one.
+std::vector<std::string> custom_number_names(const mjModel& model);
+std::vector<std::string> custom_tuple_names(const mjModel& model);
+
 // Empty if there is none of that name.
 Span<const double> custom_numbers(const mjModel& model, const std::string& name);
 

@@ -1,5 +1,7 @@
 #include "engine/joints.h"
 
+#include <mujoco/mujoco.h>
+
 #include "base/fail.h"
 
 namespace mimo::engine {
@@ -21,5 +23,7 @@ int free_joint_address(const mjModel& model, int body) {
   }
   return model.jnt_qposadr[joint];
 }
+
+void normalize_quaternion(double* quaternion) { mju_normalize4(quaternion); }
 
 }  // namespace mimo::engine

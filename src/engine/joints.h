@@ -18,4 +18,7 @@ int quaternion_place(int joint_type);
 // Where the position of a body with a free joint starts in qpos. Throws Status::kModel for a body without.
 int free_joint_address(const mjModel& model, int body);
 
+// Makes a quaternion one of length 1, as MuJoCo does.
+void normalize_quaternion(double* quaternion);
+
 }  // namespace mimo::engine

@@ -1,6 +1,7 @@
 #include "engine/physics.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "base/fail.h"
 #include "compat/mujoco.h"
@@ -27,6 +28,9 @@ void note_bad(mjData& data, WarningCounts& counts, mjtWarning kind, const double
   ++data.warning[kind].number;
   ++counts[static_cast<std::size_t>(kind_of(kind))];
 }
+
+// It lives across a call that may be left by longjmp (engine/guard.h).
+static_assert(std::is_trivially_destructible_v<WarningWatch>);
 
 // Trouble that the simulation survives, but that its user must hear of.
 constexpr mjtWarning kSurvivable[] = {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADCTRL};

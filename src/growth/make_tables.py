@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes who_tables.cpp out of tests/golden/growth/who_lms.csv, the WHO's child growth standards by month."""
+"""Writes who_tables.cpp out of who_lms.csv, the WHO's child growth standards by month."""
 
 import csv
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-SOURCE = HERE.parent.parent / "tests/golden/growth/who_lms.csv"
+SOURCE = HERE / "who_lms.csv"
 MEASURES = [("length", "kLength"), ("weight", "kWeight"), ("head_circumference", "kHead")]
 SEXES = [("f", "Female"), ("m", "Male")]
 

@@ -16,7 +16,6 @@ class Anatomy {
 
   const growth::Skeleton& skeleton() const { return skeleton_; }
   // The body with everything that hangs on it.
-  pugi::xml_node root_body() const { return bones_.front(); }
 
   // Writes what differs from the skeleton, and tells whether anything does. The other one has the same parts in the
   // same order.

@@ -17,7 +17,7 @@ SEXES = {"male": "m", "female": "f"}
 @pytest.fixture(scope="module")
 def standard(root):
     """value(measure, sex, month, z): M (1 + L S z)^(1/L) of the tables."""
-    with open(root / "tests/golden/growth/who_lms.csv") as file:
+    with open(root / "src/growth/who_lms.csv") as file:
         rows = {(it["measure"], it["sex"], float(it["age_months"])): it for it in csv.DictReader(file)}
 
     def value(measure, sex, month, z=0):

@@ -1,7 +1,5 @@
 #include "senses/hearing/struck.h"
 
-#include <mujoco/mujoco.h>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "base/angle.h"
 #include "engine/contacts.h"
+#include "engine/physics.h"
 
 namespace mimo::senses {
 namespace {
@@ -101,9 +100,7 @@ sound::Sliding sliding(const mjModel& model, const mjData& data, const engine::M
     made.rolls = true;
   }
   if (made.speed <= sound::kSlowestScrape) return {};
-  mjtNum force[6];
-  mj_contactForce(&model, &data, met.number, force);
-  made.force = force[0];
+  made.force = engine::contact_force(model, data, met.number)[0];
   return made;
 }
 

@@ -48,7 +48,7 @@ TEST(Who, GivesTheValuesThatTheWhoPublishes) {
 TEST(Who, IsTheWhosFormulaAtEachMonth) {
   const std::map<std::string, Measure> measures = {
       {"length", Measure::kLength}, {"weight", Measure::kWeight}, {"head_circumference", Measure::kHead}};
-  const Table table(MIMO_TEST_DATA "/growth/who_lms.csv");
+  const Table table(MIMO_TEST_DATA "/../../src/growth/who_lms.csv");
   ASSERT_EQ(table.size(), 150u);
   for (const Table::Row& row : table.rows()) {
     const double l = row.number("L"), m = row.number("M"), s = row.number("S"), age = row.number("age_months");
