@@ -122,7 +122,7 @@ void RequestedFields::write(const mjModel& model, const mjData& data, std::uint8
 
 void RequestedFields::read(const mjModel& model, const mjData& data, const Reader& reader) {
   access::read({model, data, world_}, reader.quantity, Ids(Span<const std::int32_t>(reader.ids)),
-            Span<double>(values_.data(), reader.count));
+               Span<double>(values_.data(), reader.count));
   if (reader.relative_to == kNone) return;
   const Traits& what = traits(reader.quantity);
   const BodyFrame frame(model, data, reader.relative_to);

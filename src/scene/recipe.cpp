@@ -69,8 +69,7 @@ void merge(pugi::xml_node root, pugi::xml_node part) {
   for (const pugi::xml_node element : part.children()) {
     if (element.type() != pugi::node_element) continue;
     const std::string name = element.attribute("name").value();
-    const pugi::xml_node there =
-        name.empty() ? pugi::xml_node() : find_named(root, part.name(), element.name(), name);
+    const pugi::xml_node there = name.empty() ? pugi::xml_node() : find_named(root, part.name(), element.name(), name);
     const bool switches = document::is(element, "joint") && element.attribute("joint1").empty();
     if (there.empty()) {
       if (!switches) document::copy_into(added, element);

@@ -266,7 +266,8 @@ TEST(Hearing, BlocksFollowEachOther) {
 TEST(Hearing, AttachedSensesHearTheSame) {
   const auto world = falling(0.2);
   const Streams expected = listen(*world, 0.4);
-  const env::CompiledWorld compiled{compile(scene::Scene(from_text(scene_with_block(0.2)))), {listener()}, of_wood(1), {}};
+  const env::CompiledWorld compiled{
+      compile(scene::Scene(from_text(scene_with_block(0.2)))), {listener()}, of_wood(1), {}};
   env::Attached attached(compiled, 0);
   const auto own = falling(0.2);
   attached.reset(own->data(), nullptr);

@@ -1,6 +1,4 @@
 // Our search for contacts against MuJoCo's own: the same contacts, to the bit and in the same order.
-#include "solver/collision.h"
-
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -9,6 +7,7 @@
 #include "compat/mujoco.h"
 #include "engine/guard.h"
 #include "engine/model.h"
+#include "solver/collision.h"
 #include "support/random_model.h"
 
 namespace mimo::test {

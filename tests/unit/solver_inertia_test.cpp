@@ -1,6 +1,4 @@
 // Our matrix of inertia and Euler's method against MuJoCo's own: the same numbers, to the bit.
-#include "solver/inertia.h"
-
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -12,6 +10,7 @@
 #include "base/random.h"
 #include "compat/mujoco.h"
 #include "engine/model.h"
+#include "solver/inertia.h"
 #include "support/random_model.h"
 
 #if !MIMO_MUJOCO_4

@@ -210,7 +210,13 @@ def tables(visits, expected, versions):
         yield from grouped(drawn)
     infants = [(shortened(v.words["infant"]), v.name) for v in visits if v.words.get("infant", "ok") != "ok"]
     if infants:
-        yield from ["", "## Models that cannot have an infant", "", "| message | models | for example |", "|---|--:|---|"]
+        yield from [
+            "",
+            "## Models that cannot have an infant",
+            "",
+            "| message | models | for example |",
+            "|---|--:|---|",
+        ]
         yield from grouped(infants)
 
 
