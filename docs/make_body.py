@@ -20,9 +20,9 @@ Row = Tuple[str, ...]
 
 INTRODUCTION = """# The body's names
 
-The names of bodies, joints and motors for `mimo_env_find` and Python's `world.joints(...)`. A motor's name often differs
-from the name of the joint that it moves. If an infant has a name, that name comes first: `anna/robot:left_elbow`,
-`anna/act:left_elbow`.
+The names of bodies, joints and motors for `mimo_env_find` and Python's `world.joints(...)`. A motor's name often
+differs from the name of the joint that it moves. If an infant has a name, that name comes first:
+`anna/robot:left_elbow`, `anna/act:left_elbow`.
 
 The library writes this page: `python docs/make_body.py`.
 
