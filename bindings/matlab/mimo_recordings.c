@@ -5,6 +5,7 @@
 
 #include "mimo_arrays.h"
 #include "mimo_options.h"
+#include "mimo_words.h"
 
 /* record(number, file, index, name, value, ...) */
 static void record(int nout, mxArray* out[], int nin, const mxArray* in[]) {
@@ -82,15 +83,25 @@ static void recording(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   close_file();
 }
 
-/* struct = replay(number, file, first, last, compare): from the state before step `first` to the end of step `last` */
+/* A world of the file's own, that errors do not leave open either. */
+static mimo_env* own_world;
+
+static void close_own_world(void) {
+  mimo_env_destroy(own_world);
+  own_world = NULL;
+}
+
+/* struct = replay(number or [], file, first, last, how): from the state before step `first` to behind step `last`, in a
+   world, or in one that is made of the file */
 static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_replay_report report = {0};
   size_t at = 0, last, steps;
   double first, end;
   worlds* all;
+  mimo_env* env;
   (void)nout;
-  mimo_need(nin == 5, "expected a world, a file, first and last step, and whether to compare fields");
-  all = mimo_worlds_of(in[0]);
+  mimo_need(nin == 5, "expected a world or [], a file, steps and how they are played");
+  all = mxIsEmpty(in[0]) ? NULL : mimo_worlds_of(in[0]);
   first = mimo_whole(in[2], "first", 0, 9007199254740992.0);
   end = mimo_number(in[3], "last");
   if (!(end >= 0) || end != floor(end)) mimo_refuse("last is %g, expected a whole number from 0, or inf", end);
@@ -98,12 +109,18 @@ static void replay(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   report.struct_size = sizeof report;
   steps = described().steps;
   last = end < (double)steps ? (size_t)end : steps;
-  check(mimo_recording_seek(open_recording, all->first, (size_t)first, mimo_number(in[4], "compare") != 0, &at));
+  close_own_world();
+  if (all == NULL) check(mimo_recording_env(open_recording, NULL, NULL, &own_world));
+  env = all == NULL ? own_world : all->first;
+  check(mimo_recording_seek(open_recording, env, (size_t)first,
+                            (uint32_t)mimo_value_of(in[4], "how", &mimo_replay_words), &at));
   for (; at < last; ++at) {
-    check(mimo_recording_step(open_recording, all->first, all->blocks, all->sizes.block_bytes, NULL));
+    check(mimo_recording_step(open_recording, env, all == NULL ? NULL : all->blocks,
+                              all == NULL ? 0 : all->sizes.block_bytes, NULL));
   }
   check(mimo_recording_report(open_recording, &report));
   out[0] = mimo_struct(&report, mimo_replay_report_members);
+  close_own_world();
   close_file();
 }
 

@@ -19,6 +19,8 @@ static const word status_words[] = {
     {"file", MIMO_E_FILE},
     {"task", MIMO_E_TASK},
     {"busy", MIMO_E_BUSY},
+    {"mismatch", MIMO_E_MISMATCH},
+    {"end", MIMO_E_END},
     {NULL, 0},
 };
 const enumeration mimo_status_words = {0, status_words};
@@ -42,6 +44,13 @@ static const word warning_code_words[] = {
     {NULL, 0},
 };
 const enumeration mimo_warning_code_words = {0, warning_code_words};
+
+static const word replay_words[] = {
+    {"fields", MIMO_REPLAY_FIELDS},
+    {"joints", MIMO_REPLAY_JOINTS},
+    {NULL, 0},
+};
+const enumeration mimo_replay_words = {1, replay_words};
 
 static const word shape_words[] = {
     {"sphere", MIMO_SHAPE_SPHERE},
@@ -694,6 +703,8 @@ const member mimo_recording_members[] = {
     {"this_build", kText, 1, offsetof(mimo_recording_info, this_build), NULL},
     {"configuration", kText, 1, offsetof(mimo_recording_info, configuration), NULL},
     {"seed", kText, 1, offsetof(mimo_recording_info, seed), NULL},
+    {"library", kText, 1, offsetof(mimo_recording_info, library), NULL},
+    {"mujoco", kText, 1, offsetof(mimo_recording_info, mujoco), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 

@@ -8,6 +8,7 @@
 extern const enumeration mimo_status_words;
 extern const enumeration mimo_log_level_words;
 extern const enumeration mimo_warning_code_words;
+extern const enumeration mimo_replay_words;
 extern const enumeration mimo_shape_words;
 extern const enumeration mimo_sex_words;
 extern const enumeration mimo_growth_model_words;

@@ -51,7 +51,7 @@ int main(void) {
   check(mimo_recording_describe(recording, &info));
   printf("%s: %zu steps, %zu states\n", info.configuration, info.steps, info.states);
   check(mimo_env_make("reach", &twin));
-  check(mimo_recording_seek(recording, twin, 110, 1, &from));
+  check(mimo_recording_seek(recording, twin, 110, MIMO_REPLAY_FIELDS, &from));
   for (; from < info.steps; ++from) check(mimo_recording_step(recording, twin, NULL, 0, NULL));
   check(mimo_recording_report(recording, &report));
   printf("%zu steps again: %s\n", report.steps, report.identical ? "identical" : report.differs_most_in);

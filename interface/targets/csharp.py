@@ -43,7 +43,7 @@ PARAMETERS = {
 }
 
 # Functions that return a handle to keep. All others lend one.
-MAKERS = ("_create", "_make", "_clone", "_open", "_attach")
+MAKERS = ("_create", "_make", "_clone", "_open", "_attach", "_recording_env")
 
 # Functions that are also called while a handle is released, with the bare pointer.
 RELEASING = {"mimo_recorder_close"}

@@ -10,6 +10,7 @@ def files(api):
         "src/capi/exports.map": exports(api),
         "src/capi/names.cpp": names(api),
         "src/capi/first_sizes.h": first_sizes(api),
+        "src/capi/members.h": members(api),
     }
 
 
@@ -68,3 +69,44 @@ def first_sizes(api):
     """For structs.h."""
     lines = "".join(f"MIMO_FIRST_SIZE({struct.name}, {struct.first_size});\n" for struct in api.structs if struct.sized)
     return f"// {NOTE}\n// Sizes that structs had in the first version that has them, on 64-bit machines.\n{lines}"
+
+
+# Those that recordings keep.
+KEPT = ("mimo_agent_config", "mimo_camera_config", "mimo_env_config", "mimo_field_config", "mimo_limits", "mimo_maturity")
+PLAIN = ("const char *", "double", "float", "int32_t", "uint32_t", "uint64_t", "size_t")
+
+
+def members(api):
+    """Visitors of the members that are numbers and texts, by their names."""
+    text = f"""// {NOTE}
+// Members of structs that are numbers, texts and arrays of numbers, visited with their names.
+#pragma once
+
+#include "mimo/mimo.h"
+
+namespace mimo::capi {{
+"""
+    for struct in [one for one in api.structs if one.name in KEPT]:
+        visits = "".join(f'  visit("{name}", all.{name});\n' for name in plain_members(api, struct))
+        text += f"""
+template <typename Visit>
+void for_each_member({struct.name}& all, Visit&& visit) {{
+{visits}}}
+"""
+    return text + """
+}  // namespace mimo::capi
+"""
+
+
+def plain_members(api, struct):
+    """Those that are visited. Others are pointers."""
+    types = {one.name: one.c_type for one in api.typedefs}
+    callbacks = {one.name for one in api.callbacks}
+    for member in struct.members:
+        kind = types.get(member.type, member.type)
+        if member.name == "struct_size" or "reserved" in member.name:
+            continue
+        if kind in PLAIN:
+            yield member.name
+        elif not kind.endswith("*") and kind not in callbacks:
+            raise ValueError(f"{struct.name}.{member.name} is of type {member.type}, which recordings cannot keep")

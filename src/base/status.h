@@ -26,6 +26,8 @@ enum class Status : std::int32_t {
   kFile = -13,
   kTask = -14,
   kBusy = -15,
+  kMismatch = -16,
+  kEnd = -17,
 };
 
 class Error : public std::exception {

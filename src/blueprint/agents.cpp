@@ -146,6 +146,10 @@ void Agents::set_sensory_delay(std::size_t agent, const std::string& body, doubl
 
 void Agents::set_sensory_delay(std::size_t agent, double seconds) { at(agent).delays = {seconds, {}}; }
 
+void Agents::be_as_old_as(const std::vector<growth::Growth>& growths) {
+  for (std::size_t i = 0; i < agents_.size(); ++i) agents_[i].growth = growths.at(i);
+}
+
 void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
   require(options.root.empty(), "growth: agent {} is body \"{}\" with what hangs on it, but only infants grow", agent,

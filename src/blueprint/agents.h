@@ -43,6 +43,8 @@ class Agents {
   // Of a part of its body, or of all.
   void set_sensory_delay(std::size_t agent, const std::string& body, double seconds, const scene::Scene& scene);
   void set_sensory_delay(std::size_t agent, double seconds);
+  // Infants of a scene where they are as old as that already.
+  void be_as_old_as(const std::vector<growth::Growth>& growths);
   // Another age, of its body in the scene.
   void grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene);
   // How dense its skin is on a body of its own, or everywhere.

@@ -26,6 +26,7 @@ struct SceneEdit {
   double room_temperature = 24;           // degrees Celsius
   std::vector<env::ThingOptions> things;  // how they feel and sound
   senses::PlayOptions play;               // how much can be played
+  std::vector<std::string> calls;         // that made all of it but the scene, as recordings keep them
 
   std::size_t add_agent(const AgentPlan& plan) { return agents.add(plan, scene); }
   std::size_t add_agents(const AgentPlan& plan) { return agents.add_all(plan, scene); }
@@ -46,7 +47,7 @@ env::CompiledWorld around(const SceneEdit& edit, engine::ModelPtr model, const e
 class Blueprint {
  public:
   explicit Blueprint(const scene::Source& source)
-      : current_{scene::Scene(source), {}, {}, {}, {}, {}, 24, {}, {}}, log_(source.log) {}
+      : current_{scene::Scene(source), {}, {}, {}, {}, {}, 24, {}, {}, {}}, log_(source.log) {}
 
   // Of its last edit.
   const SceneEdit& current() const { return current_; }

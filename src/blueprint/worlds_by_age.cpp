@@ -47,7 +47,7 @@ std::vector<growth::Growth> growths_of(const Agents& agents, const Ages& ages) {
 }  // namespace
 
 env::CompiledWorldPtr WorldsByAge::as_described(const Ages& ages, const LogSink& scene_log) {
-  return find_or_compile(growths_of(current_.agents.all(), ages), scene_log);
+  return find_or_compile(growths_of(edit_.agents.all(), ages), scene_log);
 }
 
 env::CompiledWorldPtr WorldsByAge::grown(const env::CompiledWorld& now, const Ages& ages) {
@@ -63,12 +63,17 @@ env::CompiledWorldPtr WorldsByAge::find_or_compile(Growths growths, const LogSin
   return made;
 }
 
-env::CompiledWorldPtr WorldsByAge::compile(const Growths& growths, const LogSink& scene_log) {
-  SceneEdit grown = current_;
+SceneEdit WorldsByAge::described_at(const Growths& growths) const {
+  if (described_at_) return described_at_(growths);
+  SceneEdit grown = edit_;
   for (std::size_t i = 0; i < growths.size(); ++i) {
-    if (growths[i] != current_.agents.all()[i].growth) grown.grow(i, growths[i]);
+    if (growths[i] != edit_.agents.all()[i].growth) grown.grow(i, growths[i]);
   }
-  env::CompiledWorld compiled = blueprint::compile(grown, options_, scene_log, log_);
+  return grown;
+}
+
+env::CompiledWorldPtr WorldsByAge::compile(const Growths& growths, const LogSink& scene_log) {
+  env::CompiledWorld compiled = blueprint::compile(described_at(growths), options_, scene_log, log_);
   share_textures(compiled);
   return std::make_shared<const env::CompiledWorld>(std::move(compiled));
 }

@@ -1,6 +1,7 @@
 // The worlds of one description at all ages of their infants.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -21,9 +22,16 @@ class WorldsByAge {
  public:
   static constexpr std::size_t kKept = 8;
 
+  // How worlds are described with infants of certain ages, where that is not by letting infants of a scene grow: as
+  // recordings do, which hold a document for each age.
+  using DescribedAt = std::function<SceneEdit(const Growths&)>;
+
   // The log is that of the worlds.
-  WorldsByAge(const SceneEdit& edit, const env::EnvOptions& options, const LogSink& log)
-      : current_(edit), options_(options), log_(log) {}
+  WorldsByAge(const SceneEdit& edit, const env::EnvOptions& options, const LogSink& log, DescribedAt described_at = {})
+      : edit_(edit), options_(options), log_(log), described_at_(std::move(described_at)) {}
+  const SceneEdit& as_described() const { return edit_; }
+  // How they are described with infants of these ages. Throws what growing throws.
+  SceneEdit described_at(const Growths& growths) const;
   // All as they are described, but for `ages`; what the compiler has to say goes to `scene_log`. Throws
   // Status::kInvalidArgument for agents that are no infants, and what growing and compiling throw.
   env::CompiledWorldPtr as_described(const Ages& ages, const LogSink& scene_log);
@@ -42,9 +50,10 @@ class WorldsByAge {
   env::CompiledWorldPtr find(const Growths& growths);
   void keep(Member member);
 
-  const SceneEdit current_;
+  const SceneEdit edit_;
   const env::EnvOptions options_;
   const LogSink log_;
+  const DescribedAt described_at_;
   std::mutex mutex_;
   // Of the first model, for all that have the same.
   engine::ModelPtr painted_;

@@ -1,9 +1,11 @@
 // Agents, from their configs to plans.
-#include "blueprint/agents.h"
+#include "capi/agents.h"
 
 #include <algorithm>
 #include <optional>
 
+#include "blueprint/agents.h"
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/growth.h"
 #include "capi/objects.h"
@@ -204,12 +206,13 @@ mimo_agent_config config_from(const blueprint::AgentPlan& plan) {
   return config;
 }
 
+}  // namespace
+
 mimo_agent_config default_agent_config() {
   const blueprint::AgentPlan usual;  // a temporary is warned of by GCC with its thread sanitizer
   return config_from(usual);
 }
 
-// What the scene gives its infant by itself.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {
   mimo_agent_config config = config_from(blueprint::usual_agent(scene));
   if (const std::optional<document::Pose> place = scene.free_place()) {
@@ -218,6 +221,8 @@ mimo_agent_config default_agent_config(const scene::Scene& scene) {
   }
   return config;
 }
+
+namespace {
 
 blueprint::AgentPlan plan_from(const mimo_agent_config& config) {
   blueprint::AgentPlan plan;
@@ -254,8 +259,12 @@ mimo_status mimo_scene_add_agent(mimo_scene* scene, const mimo_agent_config* con
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const mimo_agent_config defaults = default_agent_config(blueprint.current().scene);
-    const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
-    const std::size_t number = blueprint.edit([&](blueprint::SceneEdit& edit) { return edit.add_agent(plan); });
+    const mimo_agent_config given = read_struct(config, defaults, "config");
+    const blueprint::AgentPlan plan = plan_from(given);
+    const std::size_t number = blueprint.edit([&](blueprint::SceneEdit& edit) {
+      note(edit, call_of_agents("add_agent", given));
+      return edit.add_agent(plan);
+    });
     if (agent != nullptr) *agent = number;
   });
 }
@@ -264,8 +273,12 @@ mimo_status mimo_scene_add_agents(mimo_scene* scene, const mimo_agent_config* co
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const mimo_agent_config defaults = default_agent_config(blueprint.current().scene);
-    const blueprint::AgentPlan plan = plan_from(read_struct(config, defaults, "config"));
-    const std::size_t added = blueprint.edit([&](blueprint::SceneEdit& edit) { return edit.add_agents(plan); });
+    const mimo_agent_config given = read_struct(config, defaults, "config");
+    const blueprint::AgentPlan plan = plan_from(given);
+    const std::size_t added = blueprint.edit([&](blueprint::SceneEdit& edit) {
+      note(edit, call_of_agents("add_agents", given));
+      return edit.add_agents(plan);
+    });
     if (count != nullptr) *count = added;
   });
 }
@@ -276,6 +289,7 @@ mimo_status mimo_scene_set_touch(mimo_scene* scene, size_t agent, const char* bo
     require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
             body == nullptr ? "(every)" : body, spacing);
     blueprint.edit([&](blueprint::SceneEdit& edit) {
+      note(edit, {{"call", "set_touch"}, {"agent", agent}, {"body", text_or_null(body)}, {"spacing", spacing}});
       if (body == nullptr) return edit.agents.set_touch(agent, spacing);
       edit.agents.set_touch(agent, body, spacing, edit.scene);
     });
@@ -287,7 +301,10 @@ mimo_status mimo_scene_read_joint(mimo_scene* scene, size_t agent, const char* j
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string name = text(joint);
     require(!name.empty(), "joint is {}, expected a name", joint == nullptr ? "NULL" : "\"\"");
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.read_joint(agent, name); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.agents.read_joint(agent, name);
+      note(edit, {{"call", "read_joint"}, {"agent", agent}, {"joint", name}});
+    });
   });
 }
 

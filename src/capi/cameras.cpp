@@ -1,6 +1,7 @@
 // Cameras whose pictures are observed.
 #include <algorithm>
 
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
@@ -60,8 +61,13 @@ mimo_status mimo_scene_add_camera(mimo_scene* scene, const mimo_camera_config* c
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a camera needs at least a name");
-    const blueprint::CameraPlan plan = plan_from(read_struct(config, "config"));
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.add_camera(plan); });
+    mimo_camera_config given = read_struct(config, "config");
+    const blueprint::CameraPlan plan = plan_from(given);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.add_camera(plan);
+      given.placed = 0;  // the scene has it from now on
+      note(edit, {{"call", "add_camera"}, {"config", json_of(given)}});
+    });
   });
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/floats.h"
 #include "base/format.h"
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/handed.h"
 #include "capi/objects.h"
@@ -50,6 +51,20 @@ std::vector<tasks::Term> terms_of(const TaskPlan& plan) {
   std::vector<tasks::Term> all;
   for (const std::string& name : plan.terms) all.push_back({name.c_str(), 0.0});
   return all;
+}
+
+// All but what it does.
+Json json_of(const TaskPlan& plan) {
+  Json fields = Json::array();
+  for (const observation::Field& field : plan.fields) {
+    fields.push_back({{"name", field.name},
+                      {"unit", field.unit},
+                      {"frame", field.frame},
+                      {"shape", field.shape},
+                      {"low", number_or_null(field.low)},
+                      {"high", number_or_null(field.high)}});
+  }
+  return {{"memory_bytes", plan.memory_bytes}, {"terms", plan.terms}, {"fields", fields}};
 }
 
 template <typename T>
@@ -213,8 +228,16 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     env::CustomTask own;
-    if (task != nullptr) own = maker(task_plan(read_struct(task, "task")));
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.task = std::move(own); });
+    Json call = {{"call", "set_task"}, {"task", nullptr}};
+    if (task != nullptr) {
+      const std::shared_ptr<const TaskPlan> plan = task_plan(read_struct(task, "task"));
+      own = maker(plan);
+      call["task"] = json_of(*plan);
+    }
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.task = std::move(own);
+      note(edit, call);
+    });
   });
 }
 

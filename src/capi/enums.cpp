@@ -43,6 +43,8 @@ static_assert(same(MIMO_E_INTERNAL, Status::kInternal));
 static_assert(same(MIMO_E_FILE, Status::kFile));
 static_assert(same(MIMO_E_TASK, Status::kTask));
 static_assert(same(MIMO_E_BUSY, Status::kBusy));
+static_assert(same(MIMO_E_MISMATCH, Status::kMismatch));
+static_assert(same(MIMO_E_END, Status::kEnd));
 
 static_assert(same(MIMO_LOG_WARNING, LogLevel::kWarning));
 static_assert(same(MIMO_LOG_INFO, LogLevel::kInfo));

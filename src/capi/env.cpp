@@ -1,5 +1,7 @@
 #include "capi/env.h"
 
+#include "capi/agents.h"
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/log.h"
 #include "capi/objects.h"
@@ -69,9 +71,12 @@ env::EnvOptions env_options(const mimo_env_config& config) {
   return options;
 }
 
-blueprint::WorldsByAgePtr worlds_of(const blueprint::Blueprint& blueprint, const mimo_env_config& config) {
-  return std::make_shared<blueprint::WorldsByAge>(blueprint.current(), env_options(config),
-                                                  log_sink(config.log, config.log_user));
+blueprint::WorldsByAgePtr worlds_of(const blueprint::Blueprint& blueprint, const mimo_env_config& config,
+                                    blueprint::WorldsByAge::DescribedAt described_at) {
+  blueprint::SceneEdit edit = blueprint.current();
+  note(edit, {{"call", "env_create"}, {"config", json_of(config)}});
+  return std::make_shared<blueprint::WorldsByAge>(edit, env_options(config), log_sink(config.log, config.log_user),
+                                                  std::move(described_at));
 }
 
 EnvObject::EnvObject(blueprint::WorldsByAgePtr worlds, env::CompiledWorldPtr compiled)
@@ -124,7 +129,10 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     mimo_env*& result = out(env, "env");
     require(scene_name != nullptr, "scene_name is NULL");
     require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
-    result = make_env(blueprint::ready_world(scene_name), default_env_config());
+    blueprint::Blueprint ready = blueprint::ready_world(scene_name);
+    const mimo_agent_config usual = default_agent_config(ready.current().scene);
+    ready.edit([&](blueprint::SceneEdit& edit) { note(edit, call_of_agents("add_agents", usual)); });
+    result = make_env(ready, default_env_config());
   });
 }
 

@@ -15,7 +15,7 @@
 namespace mimo::capi {
 
 // The MIMO_E_ constant that came last; they have no gaps.
-constexpr mimo_status kLastStatus = MIMO_E_BUSY;
+constexpr mimo_status kLastStatus = MIMO_E_END;
 
 // Plain bytes, because keeping a message must work when memory is out, and needs no destructor when a thread ends.
 using Message = std::array<char, 1024>;

@@ -1,4 +1,5 @@
 // Sounds that a host plays.
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/use.h"
@@ -37,7 +38,10 @@ mimo_status mimo_scene_set_sources(mimo_scene* scene, size_t count, double secon
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(count >= 1 && count <= 64, "count is {}, expected 1 to 64 bodies that play at once", count);
     require(seconds >= 0.01 && seconds <= 600, "seconds is {}, expected 0.01 to 600", seconds);
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.play.sources = count, edit.play.seconds = seconds; });
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.play.sources = count, edit.play.seconds = seconds;
+      note(edit, {{"call", "set_sources"}, {"count", count}, {"seconds", seconds}});
+    });
   });
 }
 
@@ -48,7 +52,14 @@ mimo_status mimo_scene_direct_source(mimo_scene* scene, const char* body, const 
     const senses::Direction direction{body_name(body), vector(place, "place"), vector(axis, "axis"), directivity};
     require(direction.axis.norm() > 1e-9, "axis is 0 0 0, expected a direction");
     require(directivity >= 0 && directivity <= 1, "directivity is {}, expected 0 to 1", directivity);
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.play.directions.push_back(direction); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.play.directions.push_back(direction);
+      note(edit, {{"call", "direct_source"},
+                  {"body", direction.body},
+                  {"place", {place[0], place[1], place[2]}},
+                  {"axis", {axis[0], axis[1], axis[2]}},
+                  {"directivity", directivity}});
+    });
   });
 }
 

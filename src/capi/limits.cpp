@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
@@ -51,8 +52,12 @@ mimo_status mimo_scene_limit_sense(mimo_scene* scene, size_t agent, const char* 
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string where = text(path);
     require(!where.empty(), "path is {}, expected that of a sense or field", path == nullptr ? "NULL" : "\"\"");
-    const observation::Limits ours = limits_from(read_struct(limits, default_limits(), "limits"));
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.limit_sense(agent, where, ours); });
+    const mimo_limits given = read_struct(limits, default_limits(), "limits");
+    const observation::Limits ours = limits_from(given);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.agents.limit_sense(agent, where, ours);
+      note(edit, {{"call", "limit_sense"}, {"agent", agent}, {"path", where}, {"limits", json_of(given)}});
+    });
   });
 }
 
@@ -61,8 +66,12 @@ mimo_status mimo_scene_limit_motor(mimo_scene* scene, size_t agent, const char* 
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(path != nullptr, "path is NULL, expected that of a motor, a part of the body, or \"\" for all");
-    const observation::Limits ours = limits_from(read_struct(limits, default_limits(), "limits"));
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.limit_motor(agent, path, ours); });
+    const mimo_limits given = read_struct(limits, default_limits(), "limits");
+    const observation::Limits ours = limits_from(given);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.agents.limit_motor(agent, path, ours);
+      note(edit, {{"call", "limit_motor"}, {"agent", agent}, {"path", path}, {"limits", json_of(given)}});
+    });
   });
 }
 

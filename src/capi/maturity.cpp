@@ -1,4 +1,5 @@
 // Eyes and nerves as old as the infant.
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
@@ -91,11 +92,16 @@ mimo_status mimo_scene_set_maturity(mimo_scene* scene, size_t agent, const mimo_
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     std::optional<env::Maturity> ours;
+    Json call = {{"call", "set_maturity"}, {"agent", agent}, {"maturity", nullptr}};
     if (maturity != nullptr) {
       const mimo_maturity config = read_struct(maturity, perfect(), "maturity");
       ours = env::Maturity{eyes_from(config), nerves_from(config)};
+      call["maturity"] = json_of(config);
     }
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.agents.set_maturity(agent, ours); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.agents.set_maturity(agent, ours);
+      note(edit, call);
+    });
   });
 }
 
@@ -104,6 +110,7 @@ mimo_status mimo_scene_set_sensory_delay(mimo_scene* scene, size_t agent, const 
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     within(seconds, 0, kMostDelay, "seconds", "");
     blueprint.edit([&](blueprint::SceneEdit& edit) {
+      note(edit, {{"call", "set_sensory_delay"}, {"agent", agent}, {"body", text_or_null(body)}, {"seconds", seconds}});
       if (body == nullptr) return edit.agents.set_sensory_delay(agent, seconds);
       edit.agents.set_sensory_delay(agent, body, seconds, edit.scene);
     });

@@ -38,6 +38,7 @@ const std::string_view kNames[] = {
     "MIMO_API_MAJOR",
     "MIMO_API_MINOR",
     "MIMO_API_VERSION",
+    "MIMO_AS_RECORDED",
     "MIMO_AUTORESET_NEXT_STEP",
     "MIMO_AUTORESET_NONE",
     "MIMO_AUTORESET_SAME_STEP",
@@ -73,10 +74,12 @@ const std::string_view kNames[] = {
     "MIMO_E_BAD_HANDLE",
     "MIMO_E_BUFFER_TOO_SMALL",
     "MIMO_E_BUSY",
+    "MIMO_E_END",
     "MIMO_E_FILE",
     "MIMO_E_FORKED",
     "MIMO_E_INTERNAL",
     "MIMO_E_INVALID_ARGUMENT",
+    "MIMO_E_MISMATCH",
     "MIMO_E_MODEL",
     "MIMO_E_NOT_FOUND",
     "MIMO_E_OUT_OF_MEMORY",
@@ -170,6 +173,8 @@ const std::string_view kNames[] = {
     "MIMO_RENDER_REFLECTIONS",
     "MIMO_RENDER_SHADOWS",
     "MIMO_RENDER_SKY",
+    "MIMO_REPLAY_FIELDS",
+    "MIMO_REPLAY_JOINTS",
     "MIMO_RESPONSE_GAUSSIAN",
     "MIMO_RESPONSE_LINEAR",
     "MIMO_RESPONSE_NEAREST",
@@ -654,6 +659,7 @@ const std::string_view kNames[] = {
     "mimo_recorder_open",
     "mimo_recording_describe",
     "mimo_recording_destroy",
+    "mimo_recording_env",
     "mimo_recording_info",
     "mimo_recording_info.actions",
     "mimo_recording_info.agents",
@@ -661,6 +667,8 @@ const std::string_view kNames[] = {
     "mimo_recording_info.build",
     "mimo_recording_info.configuration",
     "mimo_recording_info.format_version",
+    "mimo_recording_info.library",
+    "mimo_recording_info.mujoco",
     "mimo_recording_info.reserved",
     "mimo_recording_info.same_build",
     "mimo_recording_info.seed",
@@ -854,6 +862,8 @@ const char* name_of(std::int32_t status) {
     case MIMO_E_FILE: return "MIMO_E_FILE";
     case MIMO_E_TASK: return "MIMO_E_TASK";
     case MIMO_E_BUSY: return "MIMO_E_BUSY";
+    case MIMO_E_MISMATCH: return "MIMO_E_MISMATCH";
+    case MIMO_E_END: return "MIMO_E_END";
     default: return "MIMO_E_UNKNOWN";
   }
 }

@@ -57,6 +57,7 @@ struct EnvObject {
   const BatchObject* whole = nullptr;  // of that batch
   std::size_t number = 0;
   env::LoadReport loaded;
+  bool task_is_missing = false;  // of a recording that had the user's own
 
  private:
   env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
@@ -111,10 +112,11 @@ struct RecorderObject {
 };
 
 struct RecordingObject {
-  RecordingObject(const std::string& path, std::string here) : recording(path), build(std::move(here)) {}
+  RecordingObject(const std::string& path, std::string here)
+      : recording(std::make_shared<recording::Recording>(path)), build(std::move(here)) {}
 
-  recording::Recording recording;
-  std::string build;  // of this library
+  std::shared_ptr<recording::Recording> recording;  // worlds made of it share it
+  std::string build;                                // of this library
 };
 
 // Throws where a handle cannot be used now, whoever asks.

@@ -8,6 +8,7 @@
 #include "capi/block.h"
 #include "capi/check.h"
 #include "capi/objects.h"
+#include "capi/recorded_world.h"
 #include "capi/results.h"
 #include "capi/structs.h"
 #include "capi/use.h"
@@ -33,7 +34,7 @@ std::string path_from(const char* path) {
 
 // The file of a recording, which has that dataset.
 const recording::Reader& file_with(const mimo_recording* recording, const char* dataset) {
-  const recording::Reader& file = open(recording).recording.file();
+  const recording::Reader& file = open(recording).recording->file();
   require(dataset != nullptr, "dataset is NULL");
   if (!file.has_dataset(dataset)) fail(Status::kNotFound, "{} has no dataset \"{}\"", file.path(), dataset);
   return file;
@@ -61,6 +62,8 @@ recording::Options options_from(const char* path, const mimo_recorder_config& co
   options.configuration = text(config.configuration);
   options.seed = std::to_string(config.seed);
   options.build = this_build();
+  options.library = mimo_version();
+  options.mujoco = mimo_mujoco_version();
   return options;
 }
 
@@ -80,13 +83,13 @@ mimo_status mimo_recorder_open(mimo_env* env, const char* path, const mimo_recor
                                mimo_recorder** recorder) noexcept {
   return guard(env, [&] {
     mimo_recorder*& result = out(recorder, "recorder");
-    env::World& world = open(env).world();
+    const EnvObject& recorded = open(env);
     const mimo_recorder_config ours = read_struct(config, default_recorder_config(), "config");
     const recording::Options options = options_from(path, ours);
     recording::hdf5::load(text(ours.hdf5));
     auto object = std::make_unique<RecorderObject>();
     object->env = env;
-    object->recorder = recording::Recorder::follow(world, options);
+    object->recorder = recording::Recorder::follow(recorded.aging(), options);
     result = wrap<mimo_recorder>(std::move(object));
   });
 }
@@ -118,12 +121,20 @@ mimo_status mimo_recording_open(const char* path, const char* hdf5, mimo_recordi
   });
 }
 
+mimo_status mimo_recording_env(const mimo_recording* recording, const mimo_env_config* config,
+                               const mimo_agent_config* senses, mimo_env** env) noexcept {
+  return guard(recording, [&] {
+    mimo_env*& result = out(env, "env");
+    result = wrap_env(make_recorded(open(recording).recording, config, senses));
+  });
+}
+
 void mimo_recording_destroy(mimo_recording* recording) noexcept { destroy(recording); }
 
 mimo_status mimo_recording_describe(const mimo_recording* recording, mimo_recording_info* info) noexcept {
   return guard(recording, [&] {
     const RecordingObject& object = open(recording);
-    const recording::Recording& inside = object.recording;
+    const recording::Recording& inside = *object.recording;
     mimo_recording_info ours{};
     ours.format_version = static_cast<uint32_t>(inside.file().integer("format_version"));
     ours.same_build = inside.build() == object.build ? 1 : 0;
@@ -137,6 +148,8 @@ mimo_status mimo_recording_describe(const mimo_recording* recording, mimo_record
     ours.this_build = object.build.c_str();
     ours.configuration = inside.configuration().c_str();
     ours.seed = inside.seed().c_str();
+    ours.library = inside.library().c_str();
+    ours.mujoco = inside.mujoco().c_str();
     write_described(info, ours, "info");
   });
 }
@@ -164,14 +177,16 @@ mimo_status mimo_recording_read(const mimo_recording* recording, const char* dat
   });
 }
 
-mimo_status mimo_recording_seek(mimo_recording* recording, mimo_env* env, size_t step, uint32_t compare_fields,
+mimo_status mimo_recording_seek(mimo_recording* recording, mimo_env* env, size_t step, uint32_t how,
                                 size_t* at) noexcept {
   return guard(recording, [&] {
-    recording::Recording& inside = open(recording).recording;
+    recording::Recording& inside = *open(recording).recording;
     const Use<mimo_env> use(env);
-    blueprint::AgingWorld& target = open(env).aging();
-    check_flag(compare_fields, "compare_fields");
-    const std::size_t begin = inside.seek(target, step, compare_fields != 0);
+    const EnvObject& object = open(env);
+    check_bits(how, MIMO_REPLAY_FIELDS | MIMO_REPLAY_JOINTS, "how");
+    const recording::Play play{(how & MIMO_REPLAY_FIELDS) != 0, (how & MIMO_REPLAY_JOINTS) != 0,
+                               object.task_is_missing};
+    const std::size_t begin = inside.seek(object.aging(), step, play);
     if (at != nullptr) *at = begin;
   });
 }
@@ -179,7 +194,7 @@ mimo_status mimo_recording_seek(mimo_recording* recording, mimo_env* env, size_t
 mimo_status mimo_recording_step(mimo_recording* recording, mimo_env* env, void* block, size_t block_bytes,
                                 const mimo_env_results* results) noexcept {
   return guard(recording, [&] {
-    recording::Recording& inside = open(recording).recording;
+    recording::Recording& inside = *open(recording).recording;
     const Use<mimo_env> use(env);
     blueprint::AgingWorld& target = open(env).aging();
     const env::World& world = target.world();
@@ -190,7 +205,7 @@ mimo_status mimo_recording_step(mimo_recording* recording, mimo_env* env, void* 
 
 mimo_status mimo_recording_report(const mimo_recording* recording, mimo_replay_report* report) noexcept {
   return guard(recording, [&] {
-    const recording::Recording& inside = open(recording).recording;
+    const recording::Recording& inside = *open(recording).recording;
     const recording::Verdict& verdict = inside.verdict();
     mimo_replay_report ours{};
     ours.identical = verdict.identical ? 1 : 0;

@@ -1,6 +1,7 @@
 // Fields of the observation on request.
 #include "base/format.h"
 #include "capi/access.h"
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
@@ -55,8 +56,12 @@ mimo_status mimo_scene_add_field(mimo_scene* scene, const mimo_field_config* con
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(config != nullptr, "config is NULL, but a field needs at least a name");
-    const access::FieldOptions field = options_from(read_struct(config, "config"));
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.fields.add(field); });
+    const mimo_field_config given = read_struct(config, "config");
+    const access::FieldOptions field = options_from(given);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.fields.add(field);
+      note(edit, {{"call", "add_field"}, {"config", json_of(given)}, {"elements", field.elements}});
+    });
   });
 }
 

@@ -76,7 +76,7 @@ mimo_status mimo_scene_save(const mimo_scene* scene, const char* folder) noexcep
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string path = text(folder);
     require(!path.empty(), "folder is {}, expected a path", folder == nullptr ? "NULL" : "\"\"");
-    blueprint.current().scene.save(path);
+    document::save(blueprint.current().scene.package(), path);
   });
 }
 

@@ -1,4 +1,5 @@
 // Tasks and their parameters.
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
@@ -38,7 +39,10 @@ mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.parameters.set(name, value); });
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.parameters.set(name, value);
+      note(edit, {{"call", "set_parameter"}, {"name", name}, {"value", value}});
+    });
   });
 }
 

@@ -1,6 +1,7 @@
 // How things of a scene feel to skin.
 #include "env/things.h"
 
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/use.h"
@@ -16,8 +17,11 @@ std::string body_name(const char* body) {
   return name;
 }
 
-void add(mimo_scene* scene, const env::ThingOptions& thing) {
-  open(scene).blueprint.edit([&](blueprint::SceneEdit& edit) { edit.things.push_back(thing); });
+void add(mimo_scene* scene, const env::ThingOptions& thing, const Json& call) {
+  open(scene).blueprint.edit([&](blueprint::SceneEdit& edit) {
+    edit.things.push_back(thing);
+    note(edit, call);
+  });
 }
 
 }  // namespace
@@ -32,7 +36,10 @@ mimo_status mimo_scene_set_room_temperature(mimo_scene* scene, double celsius) n
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(celsius >= -40 && celsius <= 80, "celsius is {}, expected -40 to 80 degrees of a room", celsius);
-    blueprint.edit([&](blueprint::SceneEdit& edit) { edit.room_temperature = celsius; });
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.room_temperature = celsius;
+      note(edit, {{"call", "set_room_temperature"}, {"celsius", celsius}});
+    });
   });
 }
 
@@ -42,7 +49,7 @@ mimo_status mimo_scene_set_temperature(mimo_scene* scene, const char* body, doub
     const std::string name = body_name(body);
     require(celsius >= kAbsoluteZero && celsius <= 1000, "celsius of body \"{}\" is {}, expected -273.15 to 1000", name,
             celsius);
-    add(scene, {name, celsius, ""});
+    add(scene, {name, celsius, ""}, {{"call", "set_temperature"}, {"body", name}, {"celsius", celsius}});
   });
 }
 
@@ -52,7 +59,7 @@ mimo_status mimo_scene_set_material(mimo_scene* scene, const char* body, const c
     const std::string name = body_name(body), of = text(material);
     require(!of.empty(), "material of body \"{}\" is {}, expected a name", name, material == nullptr ? "NULL" : "\"\"");
     env::check_material(of);
-    add(scene, {name, std::nullopt, of});
+    add(scene, {name, std::nullopt, of}, {{"call", "set_material"}, {"body", name}, {"material", of}});
   });
 }
 

@@ -22,7 +22,7 @@ struct RecordOptions {
   double seconds = 10;
 };
 
-void record(const RecordOptions& options, const std::string& configuration) {
+void record(const RecordOptions& options) {
   require_writable(options.recorder.out);
   mimo::Env env = open_world(options.world, make_env_config());
   mimo::Block block = env.make_block();
@@ -32,7 +32,7 @@ void record(const RecordOptions& options, const std::string& configuration) {
   env.reset(options.world.seed, block);
   RandomActions actions(env, options.world.seed);
   const Interrupt interrupt;
-  mimo::Recorder recorder = open_recorder(env, options.recorder, configuration, options.world.seed);
+  mimo::Recorder recorder = open_recorder(env, options.recorder, options.world.seed);
   std::size_t done = 0;
   {
     Progress progress(steps);
@@ -58,12 +58,13 @@ void add_record(CLI::App& program) {
   add_recorder_options(*command, options->recorder)->required();
   command->footer(
       "Writes an HDF5 file, which MATLAB, Python, R and Julia read: actions, joints, rewards and the chosen fields of\n"
-      "each step, and a state every now and then. A run that is killed leaves all that was flushed. Ctrl-C ends "
+      "each step, a state every now and then, and the world itself. A run that is killed leaves all that was flushed. "
+      "Ctrl-C ends "
       "early.\n"
       "Examples:\n"
       "  mimo record --seconds 60 --seed 7 --out run.h5\n"
       "  mimo record --scene reach --keep all --out run.h5");
-  command->callback([options, command] { record(*options, configuration_of(*command)); });
+  command->callback([options] { record(*options); });
 }
 
 }  // namespace cli

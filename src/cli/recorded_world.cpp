@@ -1,60 +1,12 @@
 #include "cli/recorded_world.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <nlohmann/json.hpp>
+#include <cmath>
 
 #include "programs/failure.h"
 
 namespace cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr char kNoVision[] = "off";
-
-// Options and their values, of all that `add_options` knows.
-Json given(void (*add_options)(CLI::App&, WorldOptions&), const CLI::App& command) {
-  Json json = Json::object();
-  WorldOptions options;
-  CLI::App known;
-  add_options(known, options);
-  for (const CLI::Option* option : known.get_options()) {
-    const std::string name = option->get_single_name();
-    const CLI::Option* found = command.get_option_no_throw("--" + name);
-    if (name == "help" || found == nullptr || found->count() == 0) continue;
-    json[name] = found->results();
-  }
-  return json;
-}
-
-// So that it is found from everywhere.
-void make_scene_absolute(Json& json) {
-  if (!json.contains("scene")) return;
-  const std::string scene = json["scene"][0];
-  if (scene.find_first_of("./\\") == std::string::npos || !std::filesystem::exists(scene)) return;
-  json["scene"][0] = std::filesystem::absolute(scene).string();
-}
-
-void parse(const Json& json, CLI::App& parser) {
-  std::vector<std::string> arguments;
-  for (const auto& [name, values] : json.items()) {
-    arguments.push_back("--" + name + "=" + values.at(0).get<std::string>());
-    for (std::size_t i = 1; i < values.size(); ++i) arguments.push_back(values[i].get<std::string>());
-  }
-  std::reverse(arguments.begin(), arguments.end());  // as the parser wants them
-  parser.parse(arguments);
-}
-
-}  // namespace
-
-void add_sense_options(CLI::App& command, WorldOptions& options) {
-  options.vision = kNoVision;
-  add_vision_options(command, options, kNoVision);
-  add_foveation_option(command, options);
-  add_touch_option(command, options);
-  add_senses_option(command, options);
-}
 
 void add_acting_options(CLI::App& command, WorldOptions& options) {
   add_scene_options(command, options);
@@ -64,56 +16,78 @@ void add_acting_options(CLI::App& command, WorldOptions& options) {
   add_face_option(command, options);
 }
 
+// Of an option that a command has.
+bool is_given(const CLI::App& command, const std::string& name) { return command.count(name) > 0; }
+
+// The first option that was given of those that say in which world is acted; "" where none was.
+std::string given_acting_option(const CLI::App& command) {
+  WorldOptions options;
+  CLI::App known;
+  add_acting_options(known, options);
+  for (const CLI::Option* option : known.get_options()) {
+    const std::string name = "--" + option->get_single_name();
+    if (name != "--help" && is_given(command, name)) return name;
+  }
+  return "";
+}
+
+mimo_agent_config changed_senses(const WorldOptions& options, const CLI::App& command) {
+  mimo_agent_config agent = sensing_agent(options);
+  const bool all = is_given(command, "--senses");
+  if (!all) agent.proprioception = agent.vestibular = agent.hearing = MIMO_AS_RECORDED;
+  if (!all && !is_given(command, "--touch")) agent.touch = MIMO_AS_RECORDED;
+  if (!is_given(command, "--vision")) {
+    if (is_given(command, "--foveation"))
+      throw Failure("--foveation needs --vision, which says how large pictures are");
+    agent.vision = MIMO_AS_RECORDED;
+  }
+  return agent;
+}
+
+// Steps as long as those of the recording.
+mimo::Env open_as_given(const WorldOptions& options, double step_seconds) {
+  mimo_env_config config = make_env_config();
+  mimo::Env env = open_world(options, config);
+  const long long frame_skip = std::llround(step_seconds / env.timestep());
+  if (frame_skip == env.frame_skip()) return env;
+  config.frame_skip = static_cast<std::uint32_t>(std::clamp(frame_skip, 1LL, 1000LL));
+  return open_world(options, config);
+}
+
+}  // namespace
+
 void add_recorded_options(CLI::App& command, WorldOptions& options) {
   add_acting_options(command, options);
-  add_sense_options(command, options);
+  options.vision = "off";
+  add_vision_options(command, options, "off");
+  add_foveation_option(command, options);
+  add_touch_option(command, options);
+  add_senses_option(command, options);
 }
 
-std::string configuration_of(const CLI::App& command) {
-  Json json = given(add_recorded_options, command);
-  make_scene_absolute(json);
-  return json.dump();
-}
-
-bool is_ours(const std::string& configuration) {
-  const Json json = Json::parse(configuration, nullptr, false);
-  if (!json.is_object()) return false;
-  WorldOptions options;
-  CLI::App known;
-  add_recorded_options(known, options);
-  return std::all_of(json.items().begin(), json.items().end(),
-                     [&](const auto& item) { return known.get_option_no_throw("--" + item.key()) != nullptr; });
-}
-
-bool senses_changed(const CLI::App& command) { return !given(add_sense_options, command).empty(); }
-
-std::string changed_configuration(const std::string& file, const std::string& configuration, const CLI::App& changes) {
-  Json acting = given(add_acting_options, changes);
-  make_scene_absolute(acting);
-  const bool ours = is_ours(configuration);
-  if (!ours && !acting.contains("scene")) {
-    throw Failure(file + " was recorded by a program of its own; --scene says which scene that was");
+bool senses_changed(const CLI::App& command) {
+  for (const char* option : {"--vision", "--foveation", "--touch", "--senses"}) {
+    if (is_given(command, option)) return true;
   }
-  if (ours && !acting.empty()) {
-    throw Failure("--" + acting.begin().key() + ": " + file + " tells its world itself, which was made by mimo record");
-  }
-  Json json = ours ? Json::parse(configuration) : acting;
-  json.update(given(add_sense_options, changes));
-  return json.dump();
+  return false;
 }
 
-WorldOptions read_configuration(const std::string& file, const std::string& configuration) {
-  WorldOptions options;
-  CLI::App known;
-  add_recorded_options(known, options);
-  try {
-    parse(Json::parse(configuration), known);
-  } catch (const CLI::Error& error) {
-    throw Failure(file + " has a configuration that this program does not understand: " + error.what());
-  } catch (const nlohmann::json::exception&) {
-    throw Failure(file + " is not a whole recording: its attribute 'configuration' is not what it should be");
+mimo::Env open_recorded(const std::string& file, const mimo::Recording& recording, const WorldOptions& options,
+                        const CLI::App& command) {
+  const mimo_recording_info info = recording.info();
+  const std::string given = given_acting_option(command);
+  if (info.format_version < 3) {
+    if (!is_given(command, "--scene")) {
+      throw Failure(file + " has format version " + std::to_string(info.format_version) +
+                    ", which holds no scene; --scene says which one it was");
+    }
+    return open_as_given(options, info.step_seconds);
   }
-  return options;
+  if (!given.empty()) throw Failure(given + ": " + file + " holds its world itself");
+  mimo_env_config config = make_env_config();
+  set_renderer(options, config);
+  const mimo_agent_config senses = changed_senses(options, command);
+  return recording.env(&config, &senses);
 }
 
 }  // namespace cli

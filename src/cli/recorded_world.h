@@ -1,9 +1,8 @@
-// The options of a recorded world: kept in the recording as they were given, and read from there again.
+// The options of a world that is recorded, and the world that a replay makes of the recording.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
 
 #include "programs/world.h"
 
@@ -12,22 +11,13 @@ namespace cli {
 // Those of a world that moves, without the seed.
 void add_recorded_options(CLI::App& command, WorldOptions& options);
 
-// What was given of them, as JSON: {"scene": "benchmark", ...}.
-std::string configuration_of(const CLI::App& command);
+// The world of a recording, whose senses are as recorded but for those that `command` was given options of. One of a
+// version that kept no world is made of the options alone. Throws a Failure that names the file, where options are given
+// or missing for that.
+mimo::Env open_recorded(const std::string& file, const mimo::Recording& recording, const WorldOptions& options,
+                        const CLI::App& command);
 
-// Whether a configuration is one that this program wrote.
-bool is_ours(const std::string& configuration);
-
-// A configuration, changed by what `changes` (a command with some of the same options) was given; and the options of
-// one. That of another program counts as empty: the changes then
-// have to name the scene, and else may not touch what is acted in. Both throw a Failure that
-// names the file.
-std::string changed_configuration(const std::string& file, const std::string& configuration, const CLI::App& changes);
-WorldOptions read_configuration(const std::string& file, const std::string& configuration);
-
-// What they consist of: the world that is acted in, and what is sensed, which a replay may change.
-void add_acting_options(CLI::App& command, WorldOptions& options);
-void add_sense_options(CLI::App& command, WorldOptions& options);
+// Whether what is sensed may differ from what was recorded.
 bool senses_changed(const CLI::App& command);
 
 }  // namespace cli

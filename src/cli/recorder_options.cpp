@@ -26,14 +26,12 @@ CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options) {
   return command.add_option("--out", options.out, "The recording")->type_name("FILE.h5");
 }
 
-mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, const std::string& configuration,
-                             std::uint64_t seed) {
+mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, std::uint64_t seed) {
   mimo_recorder_config config = mimo::recorder_config();
   if (options.keep != RecorderOptions().keep) config.keep = options.keep.c_str();  // else of whoever has it
   config.state_seconds = options.state_every;
   config.flush_seconds = options.flush_every;
   config.compression = options.compression;
-  config.configuration = configuration.c_str();
   config.seed = seed;
   config.replace = options.replace ? 1 : 0;
   return mimo::Recorder(env, options.out, config);

@@ -19,7 +19,6 @@ struct RecorderOptions {
 
 CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options);  // returns that of the file
 
-mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, const std::string& configuration,
-                             std::uint64_t seed);
+mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, std::uint64_t seed);
 
 }  // namespace cli

@@ -29,6 +29,7 @@ struct ReplayOptions {
   std::string file;
   double from = 0;
   std::optional<double> seconds;
+  bool by_joints = false;
   bool json = false;
 };
 
@@ -40,26 +41,16 @@ class Replay {
 
  private:
   void find_end();
+  std::size_t seek(std::uint32_t how);
 
   const ReplayOptions& options_;
   mimo::Recording recording_;
   mimo_recording_info info_;
-  std::string configuration_;
   mimo::Env env_;
   mimo::Block block_;
   mimo::Results results_;
   std::size_t first_ = 0, start_ = 0, end_ = 0;  // steps: of the state, asked for, behind the last one
 };
-
-// Steps as long as those of the recording.
-mimo::Env open_recorded(const WorldOptions& options, const mimo_recording_info& info) {
-  mimo_env_config config = make_env_config();
-  mimo::Env env = open_world(options, config);
-  const long long frame_skip = std::llround(info.step_seconds / env.timestep());
-  if (frame_skip == env.frame_skip()) return env;
-  config.frame_skip = static_cast<std::int32_t>(std::clamp(frame_skip, 1LL, 1000LL));
-  return open_world(options, config);
-}
 
 std::uint64_t seed_of(const std::string& file, std::string_view words) {
   std::uint64_t seed = 0;
@@ -72,12 +63,22 @@ Replay::Replay(const ReplayOptions& options, const CLI::App& command)
     : options_(options),
       recording_(options.file),
       info_(recording_.info()),
-      configuration_(changed_configuration(options.file, info_.configuration, command)),
-      env_(open_recorded(read_configuration(options.file, configuration_), info_)),
+      env_(open_recorded(options.file, recording_, options.follow.world, command)),
       block_(env_.make_block()),
       results_(env_.make_results()) {
   find_end();
-  first_ = recording_.seek(env_, start_, is_ours(info_.configuration) && !senses_changed(command));
+  const bool fields = info_.format_version >= 3 && !senses_changed(command) && !options.by_joints;
+  first_ = seek((fields ? MIMO_REPLAY_FIELDS : 0) | (options.by_joints ? MIMO_REPLAY_JOINTS : 0));
+}
+
+// Where the model is another one, there is still another way.
+std::size_t Replay::seek(std::uint32_t how) {
+  try {
+    return recording_.seek(env_, start_, how);
+  } catch (const mimo::Exception& error) {
+    if (error.status() != MIMO_E_MISMATCH || options_.by_joints) throw;
+    throw Failure(std::string(error.what()) + ": --by-joints");
+  }
 }
 
 void Replay::find_end() {
@@ -99,7 +100,7 @@ void Replay::play() {
   Progress progress(end_ - first_);
   for (std::size_t step = first_; step < end_ && !Interrupt::requested(); ++step) {
     if (step == start_ && !options_.recorder.out.empty()) {
-      recorder.emplace(open_recorder(env_, options_.recorder, configuration_, seed_of(options_.file, info_.seed)));
+      recorder.emplace(open_recorder(env_, options_.recorder, seed_of(options_.file, info_.seed)));
     }
     recording_.step(env_, block_, results_);
     progress.show(step + 1 - first_);
@@ -118,6 +119,7 @@ void Replay::report() const {
                                          {"from_seconds", seconds(first_)},
                                          {"to_seconds", seconds(verdict.next)},
                                          {"same_build", info_.same_build != 0},
+                                         {"by_joints", options_.by_joints},
                                          {"recorded_build", info_.build},
                                          {"build", info_.this_build}};
     std::cout << json.dump(2) << "\n";
@@ -163,18 +165,23 @@ void add_replay(CLI::App& program) {
       ->type_name("S")
       ->check(number(0, 1e9));
   add_recorded_options(*command, options->follow.world);
+  CLI::Option* joints = command->add_flag("--by-joints", options->by_joints,
+                                          "Put joints where they were instead of stepping; for recordings of "
+                                          "another\nmodel or version, whose states do not "
+                                          "fit. Senses with a memory start afresh");
   CLI::Option* out = add_recorder_options(*command, options->recorder);
   CLI::Option* motion = add_follow_options(*command, options->follow);
-  for (CLI::Option* other : {file, out, command->get_option("--from"), command->get_option("--seconds"),
+  for (CLI::Option* other : {file, out, joints, command->get_option("--from"), command->get_option("--seconds"),
                              command->get_option("--actuation"), command->get_option("--reflexes")}) {
     motion->excludes(other);
   }
   command->add_flag("--json", options->json, "Report in JSON");
   command->footer(
-      "The world is that of the recording; options of senses change what it senses. A recording that another program\n"
-      "made needs --scene, and --age, --actuation and the like as that program had them. With --out what is sensed now "
-      "goes\n"
-      "into a new recording, from --from on. Results are the same to the last bit on the same build.\n"
+      "The world is that of the recording, which holds all of it; options of senses change what it senses. A "
+      "recording\n"
+      "of format version 1 or 2 needs --scene, and --age, --actuation and the like as they were. With --out what is "
+      "sensed\n"
+      "now goes into a new recording, from --from on. Results are the same to the last bit on the same build.\n"
       "Examples:\n"
       "  mimo replay run.h5 --json\n"
       "  mimo replay run.h5 --from 30 --seconds 5 --vision 128 --keep vision --out eyes.h5\n"

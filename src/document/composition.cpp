@@ -4,6 +4,7 @@
 #include <cstring>
 #include <set>
 
+#include "base/fail.h"
 #include "base/format.h"
 #include "base/status.h"
 #include "document/binary.h"
@@ -45,6 +46,36 @@ void hand_over_unmarked(pugi::xml_node mesh, const Limits& limits, Composition& 
   composition.assets.push_back({name, {reinterpret_cast<const unsigned char*>(text.data()), text.size()}});
 }
 
+// MuJoCo would look for what is not there on the disk.
+void require_held(pugi::xml_node root, const Files& files) {
+  walk(root, [&](pugi::xml_node node) {
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const std::string path = attribute.value();
+      if (std::string(attribute.name()).rfind("file", 0) != 0 || path.empty()) continue;
+      if (files.count(path) != 0 || !built_in_asset(path).empty()) continue;
+      fail(Status::kModel, "{}: there is no file \"{}\" beside the document", where(node), path);
+    }
+  });
+}
+
+// MuJoCo tells files in memory apart by their last part only.
+std::string flat_name(std::string path) {
+  std::replace(path.begin(), path.end(), '/', ':');
+  return path;
+}
+
+// The files outlive the composition, as the limits of its scene hold them.
+void hand_over(const Files& files, pugi::xml_node node, pugi::xml_attribute attribute, std::set<std::string>& seen,
+               Composition& composition) {
+  const auto found = files.find(attribute.value());
+  if (found == files.end()) return;  // handed over in another form already
+  const std::string name = flat_name(found->first);
+  set(node, attribute.name(), name);
+  const std::string& bytes = found->second;
+  if (!seen.insert(name).second) return;
+  composition.assets.push_back({name, {reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}});
+}
+
 // The compiler makes a step of what it has compiled, in which every geom may be asked about every other one: for as
 // long as that takes, nobody else could compile. Whether the document itself has contacts.
 bool leave_out_contacts(pugi::xml_node root) {
@@ -73,6 +104,13 @@ std::vector<AssetFile> asset_files(pugi::xml_node root) {
   return files;
 }
 
+std::vector<std::string> files_named_by(const std::string& xml) {
+  const pugi::xml_document document = parse(xml, "xml text", Root::kMujoco);
+  std::vector<std::string> names;
+  for (const auto& [node, attribute] : asset_files(document.document_element())) names.emplace_back(attribute.value());
+  return names;
+}
+
 Span<const unsigned char> built_in_asset(const std::string& path) {
   const std::string prefix = "mimo/";
   if (path.rfind(prefix, 0) != 0) return {};
@@ -86,6 +124,7 @@ void settle(pugi::xml_node root) {
 
 Composition packed(const pugi::xml_document& document, const Limits& limits) {
   Composition composition;
+  if (limits.files != nullptr) require_held(document.document_element(), *limits.files);
   composition.seconds = check(document.document_element(), limits).seconds();
   const pugi::xml_document changed = copy(document);
   settle(changed.document_element());
@@ -95,10 +134,10 @@ Composition packed(const pugi::xml_document& document, const Limits& limits) {
   for (const auto& [node, attribute] : asset_files(changed.document_element())) {
     const auto bytes = built_in_asset(attribute.value());
     if (bytes.empty() && is(node, "mesh")) hand_over_unmarked(node, limits, composition);
+    if (bytes.empty() && limits.files != nullptr) hand_over(*limits.files, node, attribute, seen, composition);
     if (bytes.empty()) continue;
-    // MuJoCo tells files in memory apart by their last part only: a user's own floor.png must not be taken for ours.
-    std::string name = attribute.value();
-    std::replace(name.begin(), name.end(), '/', ':');
+    // A user's own floor.png must not be taken for ours.
+    const std::string name = flat_name(attribute.value());
     const bool is_texture = is(node, "texture");
     const std::string given = is_texture ? decoded_name(name) : name;
     set(node, attribute.name(), given);

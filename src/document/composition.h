@@ -40,6 +40,8 @@ struct AssetFile {
   pugi::xml_attribute attribute;
 };
 std::vector<AssetFile> asset_files(pugi::xml_node root);
+// Those of a document as a text, as it names them. Throws Status::kModel for what is no document.
+std::vector<std::string> files_named_by(const std::string& xml);
 
 // Bytes of a built-in file that a document calls "mimo/textures/floor.png"; empty for any other name.
 Span<const unsigned char> built_in_asset(const std::string& path);

@@ -35,16 +35,14 @@ const char* kind_of(mode_t mode) {
 
 }  // namespace
 
-std::optional<std::string> read_file(const std::string& path, const Limits& limits) {
+std::optional<std::string> read_from_disk(const std::string& path, std::uint64_t most_bytes) {
   // Not to wait at a pipe until somebody writes.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
   struct stat about {};
   if (file.number() < 0 || ::fstat(file.number(), &about) != 0) return std::nullopt;
   if (!S_ISREG(about.st_mode)) fail(Status::kModel, "file {} is {}", path, kind_of(about.st_mode));
   const auto size = static_cast<std::uint64_t>(about.st_size);
-  if (size > limits.file_bytes) {
-    fail(Status::kModel, "file {} has {} bytes, more than max_file_bytes ({})", path, size, limits.file_bytes);
-  }
+  if (size > most_bytes) fail_large(path, size, most_bytes);
   std::string content(size, '\0');
   std::size_t done = 0;
   while (done < content.size()) {

@@ -20,14 +20,12 @@ bool plain(const std::string& path) {
 }  // namespace
 
 // Paths are UTF-8, which std::filesystem takes them for.
-std::optional<std::string> read_file(const std::string& path, const Limits& limits) {
+std::optional<std::string> read_from_disk(const std::string& path, std::uint64_t most_bytes) {
   if (!plain(path)) return std::nullopt;
   std::error_code error;
   const std::uint64_t size = fs::file_size(path, error);
   if (error) return std::nullopt;
-  if (size > limits.file_bytes) {
-    fail(Status::kModel, "file {} has {} bytes, more than max_file_bytes ({})", path, size, limits.file_bytes);
-  }
+  if (size > most_bytes) fail_large(path, size, most_bytes);
   std::ifstream file(fs::path(path), std::ios::binary);
   std::string content(size, '\0');
   file.read(content.data(), static_cast<std::streamsize>(size));

@@ -3,8 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
 
 namespace mimo::document {
+
+// Contents by the names that a document gives them.
+using Files = std::map<std::string, std::string>;
 
 struct Limits {
   std::uint64_t file_bytes = 256ull << 20;  // of each file that is read
@@ -16,6 +22,7 @@ struct Limits {
   std::uint64_t world_bytes = 4ull << 30;   // what a world and its model may need, estimated
   std::uint64_t compile_ms = 10'000;        // that the compiler may work, estimated
   bool confined = false;                    // files lie in the folder of the document that names them, or below
+  std::shared_ptr<const Files> files{};     // all that a document may refer to besides built-in files; null: the disk
 };
 
 }  // namespace mimo::document

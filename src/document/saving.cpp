@@ -26,13 +26,14 @@ struct File {
   std::string bytes;
 };
 
-// What was read once may be copied.
-constexpr Limits kAnySize{UINT64_MAX};
+constexpr std::uint64_t kAnySize = UINT64_MAX;
 
-std::string content(const std::string& source) {
+std::string content(const std::string& source, const Limits& limits) {
   const auto built_in = built_in_asset(source);
   if (!built_in.empty()) return {built_in.begin(), built_in.end()};
-  auto bytes = read_file(source, kAnySize);
+  Limits any = limits;  // what was read once may be copied
+  any.file_bytes = kAnySize;
+  auto bytes = read_file(source, any);
   if (!bytes) fail(Status::kNotFound, "file {} cannot be read", source);
   return std::move(*bytes);
 }
@@ -67,23 +68,6 @@ class Names {
   std::map<std::string, std::string> names_;  // references stay good
   std::set<std::string> taken_;
 };
-
-std::vector<File> files_of(const pugi::xml_document& document, const fs::path& folder) {
-  const pugi::xml_document changed = copy(document);
-  std::vector<File> files;
-  std::set<std::string> seen;
-  Names names;
-  for (const auto& [node, attribute] : asset_files(changed.document_element())) {
-    const std::string source = attribute.value();
-    if (source.empty()) continue;
-    name_after_file(node);  // before the file gets another name
-    const std::string name = "assets/" + names.of(source);
-    set(node, attribute.name(), name);
-    if (seen.insert(name).second) files.push_back({folder / name, content(source)});
-  }
-  files.push_back({folder / "scene.xml", print(changed)});
-  return files;
-}
 
 [[noreturn]] void fail_to_write(const File& file, const std::error_code& why) {
   fail(Status::kFile, "folder: file {} cannot be written: {}", file.path.string(), why.message());
@@ -144,8 +128,32 @@ void write(const std::vector<File>& files, const fs::path& folder) {
 
 }  // namespace
 
-void save(const pugi::xml_document& document, const std::string& folder) {
-  std::vector<File> files = files_of(document, folder);
+std::size_t Package::bytes() const {
+  std::size_t all = document.size();
+  for (const auto& [name, bytes] : files) all += bytes.size();
+  return all;
+}
+
+Package package(const pugi::xml_document& document, const Limits& limits) {
+  const pugi::xml_document changed = copy(document);
+  Package all;
+  Names names;
+  for (const auto& [node, attribute] : asset_files(changed.document_element())) {
+    const std::string source = attribute.value();
+    if (source.empty()) continue;
+    name_after_file(node);  // before the file gets another name
+    const std::string name = "assets/" + names.of(source);
+    set(node, attribute.name(), name);
+    if (all.files.count(name) == 0) all.files.emplace(name, content(source, limits));
+  }
+  all.document = print(changed);
+  return all;
+}
+
+void save(const Package& package, const std::string& folder) {
+  std::vector<File> files;
+  for (const auto& [name, bytes] : package.files) files.push_back({fs::path(folder) / name, bytes});
+  files.push_back({fs::path(folder) / "scene.xml", package.document});
   std::vector<File> missing;
   for (File& file : files) {
     std::error_code unknown;
@@ -153,7 +161,7 @@ void save(const pugi::xml_document& document, const std::string& folder) {
       missing.push_back(std::move(file));
       continue;
     }
-    if (read_file(file.path.string(), kAnySize) == file.bytes) continue;
+    if (read_from_disk(file.path.string(), kAnySize) == file.bytes) continue;
     fail(Status::kFile, "folder: {} is there with other content, and is not overwritten; give a new folder",
          file.path.string());
   }

@@ -28,15 +28,15 @@ struct Header {
 
 // A newer header may differ from ours in everything but these two numbers.
 ByteReader after_version(Span<const std::uint8_t> state) {
-  require(state.size() >= kStateHeaderBytes, "state: {} bytes are too few for a state", state.size());
+  if (state.size() < kStateHeaderBytes) fail(Status::kFile, "state: {} bytes are too few for a state", state.size());
   ByteReader from(state);
-  require(from.take<std::uint64_t>() == kMagic, "state: these bytes are no state of a world");
+  if (from.take<std::uint64_t>() != kMagic) fail(Status::kFile, "state: these bytes are no state of a world");
   const auto version = from.take<std::uint64_t>();
   if (version > kVersion) {
     fail(Status::kUnsupported, "state: its version {} needs a newer library, this one reads up to {}", version,
          kVersion);
   }
-  require(version == kVersion, "state: its version is {}, expected {}", version, kVersion);
+  if (version != kVersion) fail(Status::kFile, "state: its version is {}, expected {}", version, kVersion);
   return from;
 }
 
@@ -91,9 +91,12 @@ std::uint64_t size_of(const Section& section) {
 // Everything behind the header, which is whole.
 Span<const std::uint8_t> open_state(std::uint64_t model, Span<const std::uint8_t> state) {
   const Header header = read_header(state);
-  require(header.model == model, "state: it was saved from another model, or from infants of another age");
-  require(state.size() == header.bytes, "state: it has {} bytes, expected {}", state.size(), header.bytes);
-  require(header.checksum == checksum(state), "state: it is damaged, its checksum is wrong");
+  const bool as_long = state.size() == header.bytes, sound = as_long && header.checksum == checksum(state);
+  if (header.model != model && (sound || !as_long)) {  // else that number itself may be damaged
+    fail(Status::kMismatch, "state: it was saved from another model, or from infants of another age");
+  }
+  require(as_long, "state: it has {} bytes, expected {}", state.size(), header.bytes);
+  require(sound, "state: it is damaged, its checksum is wrong");
   const Span<const std::uint8_t> body = state.part(kStateHeaderBytes, state.size() - kStateHeaderBytes);
   ByteReader from(body);
   for (std::uint64_t i = 0; i < header.sections; ++i) read_section(from);
@@ -116,7 +119,7 @@ void for_each_section(Span<const std::uint8_t> body, Visit&& visit) {
 Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes) {
   const std::size_t length = std::min<std::size_t>(read_header(bytes).bytes, bytes.size());
   const bool alone = std::all_of(bytes.begin() + length, bytes.end(), [](std::uint8_t byte) { return byte == 0; });
-  require(alone, "state: it has {} bytes, and those that follow are not zero", length);
+  if (!alone) fail(Status::kFile, "state: it has {} bytes, and those that follow are not zero", length);
   return bytes.part(0, length);
 }
 
@@ -175,12 +178,21 @@ Span<const std::uint8_t> Archive::fitting(const Section& section, Span<const std
     fail(Status::kUnsupported, "state: version {} of its section \"{}\" needs a newer library, this one reads up to {}",
          match.version, section.name, section.version);
   }
-  fail(Status::kInvalidArgument,
-       "state: it was saved from a world with another task, actuation or other agents: {} \"{}\"",
+  fail(Status::kMismatch, "state: it was saved from a world with another task, actuation or other agents: {} \"{}\"",
        there ? "another kind of" : "it has no section", section.name);
 }
 
+// What its parts refuse is no argument of anybody's.
 LoadReport Archive::load(Span<const std::uint8_t> state) {
+  try {
+    return load_sections(state);
+  } catch (const Error& error) {
+    if (error.status() != Status::kInvalidArgument) throw;
+    throw Error(Status::kFile, error.message());
+  }
+}
+
+LoadReport Archive::load_sections(Span<const std::uint8_t> state) {
   const Span<const std::uint8_t> stored = open_state(model_, state);
   LoadReport report;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
@@ -189,10 +201,12 @@ LoadReport Archive::load(Span<const std::uint8_t> state) {
   }
   for_each_section(stored, [&](const Stored& section) {
     if (knows(section.name)) return;
-    require((section.flags & kEssential) == 0,
-            "state: it was saved from a world with another task, actuation or other agents: its section \"{}\" has no "
-            "use here",
-            section.name);
+    if ((section.flags & kEssential) != 0) {
+      fail(Status::kMismatch,
+           "state: it was saved from a world with another task, actuation or other agents: its section \"{}\" has no "
+           "use here",
+           section.name);
+    }
     note(section.name, report.ignored, report.ignored_names);
   });
   for (std::size_t i = 0; i < sections_.size(); ++i) {

@@ -42,6 +42,7 @@ class Archive {
   Archive(std::uint64_t model, std::vector<Section> sections);
 
   std::size_t bytes() const { return bytes_; }
+  std::uint64_t model() const { return model_; }
   void save(Span<std::uint8_t> state) const;  // exactly bytes()
   // Throws, with nothing changed, for anything that is no whole and sound state of the same model, agents, tasks and
   // actuations.
@@ -51,6 +52,7 @@ class Archive {
   // What the state has for a section; null bytes where there is nothing that fits.
   Span<const std::uint8_t> fitting(const Section& section, Span<const std::uint8_t> stored) const;
   bool knows(std::string_view name) const;
+  LoadReport load_sections(Span<const std::uint8_t> state);
   void load_all();
   void save_backup();
   void load_backup();

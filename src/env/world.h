@@ -91,6 +91,8 @@ class World {
   void check_actions(Span<const float> actions) const;
   // Without actions the controls stay as they are. Actions are checked.
   void step(Span<const float> actions, std::uint8_t* block, const Results& results);
+  // The results of the last step.
+  void report(const Results& results) const;
   // Throws for positions of a movement that are too few or too many, not finite, or no orientations.
   void check_movement(Span<const double> positions) const;
   // A step in which joints go where they are told: positions of all joints at the end of each physics step, and room
@@ -106,7 +108,8 @@ class World {
 
   // The world's state: see env/state.h. A failed world has none to save.
   std::size_t state_bytes() const { return archive_.bytes(); }
-  void save(Span<std::uint8_t> state) const;  // exactly state_bytes()
+  std::uint64_t model_hash() const { return archive_.model(); }  // by which states tell models apart
+  void save(Span<std::uint8_t> state) const;                     // exactly state_bytes()
   // Throws, with nothing changed, for anything but a state of the same model, agents and task. What senses and motor
   // paths remember starts afresh where the state does not hold it.
   LoadReport load(Span<const std::uint8_t> state);
@@ -151,7 +154,6 @@ class World {
   void evaluate(Span<const float> actions, const std::uint8_t* block);
   Span<const float> bounded(const Agent& agent, Span<const float> actions);
   void check_reward(std::size_t agent);
-  void report(const Results& results) const;
   void require_outside_task() const;
   bool cut_off(const Agent& agent) const;
   void report_warnings();

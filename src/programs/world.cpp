@@ -199,6 +199,10 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
 
 }  // namespace
 
+mimo_agent_config sensing_agent(const WorldOptions& options) {
+  return agent_config(options, Senses::kAll, mimo::agent_config());
+}
+
 std::vector<std::string> parts_of(const std::string& list) {
   std::vector<std::string> parts;
   for (std::size_t start = 0; start <= list.size();) {

@@ -58,6 +58,9 @@ void add_seconds_option(CLI::App& command, double& seconds);  // how long a worl
 
 enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: what the scene gives its infants by itself
 
+// The config of an infant that senses as the options say.
+mimo_agent_config sensing_agent(const WorldOptions& options);
+
 // The scene with its infants; with one agent where there are none.
 mimo::Scene make_scene(const WorldOptions& options, Senses senses);
 

@@ -29,4 +29,9 @@ std::string build_name(const std::string& versions) {
   return format("{}, build {:016x}", versions, hash);
 }
 
+const char* byte_order() {
+  const std::uint16_t one = 1;
+  return *reinterpret_cast<const std::uint8_t*>(&one) == 1 ? "little" : "big";
+}
+
 }  // namespace mimo::recording

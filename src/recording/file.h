@@ -14,18 +14,23 @@
 namespace mimo::recording {
 
 constexpr char kFormat[] = "mimo recording";
-constexpr std::int64_t kVersion = 2;  // 1: of runs that nothing but actions changed
+// 1: of runs that nothing but actions changed; 2: without the world and the results of steps
+constexpr std::int64_t kVersion = 3;
 
 // Tables that every recording has, and those of states; a field's is "fields/<name>".
 constexpr char kTime[] = "time", kActions[] = "actions", kRewards[] = "rewards", kJointPosition[] = "joints/position",
                kJointVelocity[] = "joints/velocity", kStates[] = "states/state", kStateSteps[] = "states/step",
-               kStateGiven[] = "states/given", kStateBodies[] = "states/body", kBodies[] = "bodies/growth";
+               kStateGiven[] = "states/given", kStateBodies[] = "states/body", kBodies[] = "bodies/growth",
+               kModels[] = "bodies/model_hash", kTerminated[] = "terminated", kTruncated[] = "truncated",
+               kOutcome[] = "outcome", kTerms[] = "terms", kDocuments[] = "scene/document", kWorld[] = "world";
+constexpr char kSceneFolder[] = "scene/";  // before the names of files that documents refer to
 
 // Written while a run goes on: what has been flushed stays readable, however the process ends. Both classes throw, and
 // take their turn with HDF5 by themselves.
 class Writer {
  public:
-  Writer(const std::string& path, bool replace, unsigned compression);
+  // `content` is about how many bytes do not change.
+  Writer(const std::string& path, bool replace, unsigned compression, std::size_t content);
   ~Writer();  // leaves the file as it is on the disk where it was not closed; one that was not started goes
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
@@ -39,6 +44,8 @@ class Writer {
   enum class Rows { kFixed, kMayGrow };
   void table(const std::string& name, hdf5::Id type, const std::vector<std::size_t>& shape, const std::string& unit,
              const std::string& names = "", Rows rows = Rows::kFixed);
+  // Bytes that do not change.
+  void content(const std::string& name, Span<const std::uint8_t> bytes);
   void start();
 
   // Rows are kept until flush() or until there are many. While another thread uses HDF5, which may take as long as a
@@ -63,6 +70,8 @@ class Writer {
   void write_text(hdf5::Id object, const std::string& name, const std::string& text) const;
   void append(Table& table, Span<const std::uint8_t> row);
   void write_waiting(Table& table);
+  hdf5::Handle make_dataset(const std::string& name, hdf5::Id type, const hdf5::Handle& space,
+                            const std::vector<hdf5::Size>& chunk) const;
   int descriptor() const;  // of the system; negative where there is none
 
   const hdf5::Library& h5_;
@@ -94,6 +103,7 @@ class Reader {
   // All of them must be there; `bytes` has room for them.
   void read(const std::string& table, std::size_t first, std::size_t count, Span<std::uint8_t> bytes) const;
   std::vector<std::uint8_t> row(const std::string& table, std::size_t index) const;
+  std::string content(const std::string& name) const;  // of bytes in one dimension
   // Of a table with one number a row.
   template <typename T>
   std::vector<T> numbers(const std::string& table, std::size_t first, std::size_t count) const {

@@ -145,6 +145,7 @@ void find_constants(void* handle, Library& h5) {
   find_id(handle, h5.u8, "H5T_NATIVE_UINT8_g");
   find_id(handle, h5.i32, "H5T_NATIVE_INT32_g");
   find_id(handle, h5.i64, "H5T_NATIVE_INT64_g");
+  find_id(handle, h5.u64, "H5T_NATIVE_UINT64_g");
   find_id(handle, h5.f32, "H5T_NATIVE_FLOAT_g");
   find_id(handle, h5.f64, "H5T_NATIVE_DOUBLE_g");
   find_id(handle, h5.string, "H5T_C_S1_g");

@@ -98,7 +98,7 @@ struct Library {
   int (*HasLink)(Id, const char*, Id);
   int (*DescribeLink)(Id, const char*, LinkInfo*, Id);
   // Types, kinds of errors and classes of properties, which are variables of the library.
-  Id u8, i32, i64, f32, f64, string, no_space, cannot_allocate, file_access, dataset_create, link_create;
+  Id u8, i32, i64, u64, f32, f64, string, no_space, cannot_allocate, file_access, dataset_create, link_create;
   bool deflate;  // can compress
 };
 

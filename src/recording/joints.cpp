@@ -5,6 +5,12 @@ namespace {
 
 int joints_of(const env::World& world) { return access::count(world, access::Kind::kJoint); }
 
+// Free joints often have no name, but their bodies have.
+std::string column_name(const env::World& world, int joint) {
+  const std::string own = access::name(world, access::Kind::kJoint, joint);
+  return own.empty() ? access::name(world, access::Kind::kBody, world.model().jnt_bodyid[joint]) : own;
+}
+
 }  // namespace
 
 std::string joint_names(const env::World& world) {
@@ -17,7 +23,7 @@ std::string joint_columns(const env::World& world, access::Quantity quantity) {
   std::string names;
   for (int i = 0; i < joints_of(world); ++i) {
     for (int left = access::width(world.model(), &world, quantity, i); left > 0; --left) {
-      names += std::string(access::name(world, access::Kind::kJoint, i)) + "\n";
+      names += column_name(world, i) + "\n";
     }
   }
   return names;

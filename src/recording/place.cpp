@@ -62,10 +62,10 @@ void Place::fail_used() const {
   fail(Status::kFile, "cannot write {}: a file is there that may not be written, or that a program is using", given_);
 }
 
-void Place::require_room() const {
+void Place::require_room(std::size_t content) const {
   const fs::path path = fs::u8path(file_);
   std::ofstream file(path, std::ios::binary);
-  file << std::string(kRoom, '\0');
+  file << std::string(kRoom + content, '\0');
   file.close();
   const std::string why = file ? "" : std::generic_category().message(errno);
   std::error_code ignored;

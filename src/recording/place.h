@@ -21,7 +21,7 @@ class Place {
   const std::string& path() const { return given_; }  // for messages
   const std::string& file() const { return file_; }   // that is to be made
   // Before it is made, as HDF5 can neither go on nor be rid of a new file for which there is no room.
-  void require_room() const;
+  void require_room(std::size_t content) const;
   void made() { made_ = true; }
   // The file is whole enough to be read by others: it gets its name. Nobody else may write it from now on.
   void settle(int file);

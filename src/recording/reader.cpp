@@ -266,4 +266,11 @@ std::vector<std::uint8_t> Reader::row(const std::string& name, std::size_t index
   return bytes;
 }
 
+std::string Reader::content(const std::string& name) const {
+  require_table(name, h5_.u8, 1);
+  std::string bytes(rows(name), '\0');
+  read(name, 0, bytes.size(), {reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size()});
+  return bytes;
+}
+
 }  // namespace mimo::recording

@@ -9,6 +9,7 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "env/description.h"
+#include "recording/build.h"
 #include "recording/joints.h"
 
 namespace mimo::recording {
@@ -80,6 +81,10 @@ std::string action_names(const env::World& world) {
   return names;
 }
 
+Span<const std::uint8_t> bytes_of(const std::string& text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
 // A world that has failed has none.
 void save(const env::World& world, std::vector<std::uint8_t>& state) {
   state.resize(world.state_bytes());
@@ -88,28 +93,34 @@ void save(const env::World& world, std::vector<std::uint8_t>& state) {
 
 }  // namespace
 
-std::shared_ptr<Recorder> Recorder::follow(env::World& world, const Options& options) {
+std::shared_ptr<Recorder> Recorder::follow(const blueprint::AgingWorld& aging, const Options& options) {
+  env::World& world = aging.world();
   if (world.in_task()) fail(Status::kBusy, "env is within a step or a reset, where no recording can begin");
   if (world.step_observer() != nullptr) fail(Status::kBusy, "env is being recorded already");
-  std::shared_ptr<Recorder> recorder(new Recorder(world, options));
+  std::shared_ptr<Recorder> recorder(new Recorder(aging, options));
   world.tell(recorder);
   return recorder;
 }
 
-Recorder::Recorder(env::World& world, const Options& options)
-    : world_(&world),
-      state_every_(static_cast<std::size_t>(std::max(1.0, std::round(options.state_seconds / world.step_seconds())))),
-      step_seconds_(world.step_seconds()),
+Recorder::Recorder(const blueprint::AgingWorld& aging, const Options& options)
+    : worlds_(aging.worlds()),
+      world_(&aging.world()),
+      state_every_(static_cast<std::size_t>(std::max(1.0, std::round(options.state_seconds / world_->step_seconds())))),
+      step_seconds_(world_->step_seconds()),
       flush_seconds_(options.flush_seconds),
-      body_(growths_of(world)) {
+      own_task_(worlds_->as_described().task != nullptr),
+      body_(growths_of(*world_)) {
+  const env::World& world = *world_;
   const std::vector<std::size_t> kept = choose(world.layout(), options.keep);
   save(world, state_);
-  file_ = std::make_unique<Writer>(options.path, options.replace, options.compression);
+  const document::Package package = worlds_->described_at(body_).scene.package();
+  file_ = std::make_unique<Writer>(options.path, options.replace, options.compression, package.bytes());
   describe(world, options);
+  describe_results(world);
   describe_fields(world, kept);
+  describe_world(package);
   file_->start();
-  const std::vector<double> body = row_of(body_);
-  file_->append(kBodies, body.data());
+  keep_body(world, package.document);
 }
 
 void Recorder::describe(const env::World& world, const Options& options) {
@@ -117,13 +128,15 @@ void Recorder::describe(const env::World& world, const Options& options) {
   file_->attribute("format", std::string(kFormat));
   file_->attribute("format_version", kVersion);
   file_->attribute("build", options.build);
+  file_->attribute("library", options.library);
+  file_->attribute("mujoco", options.mujoco);
+  file_->attribute("byte_order", std::string(byte_order()));
   file_->attribute("configuration", options.configuration);
   file_->attribute("seed", options.seed);
   file_->attribute("step_seconds", step_seconds_);
   file_->attribute("joint_names", joint_names(world));
   file_->table(kTime, h5.f64, {}, "s");
   file_->table(kActions, h5.f32, {world.action_size()}, "", action_names(world));
-  file_->table(kRewards, h5.f64, {world.agents().size()}, "");
   for (const auto& [table, quantity, unit] :
        {std::tuple(kJointPosition, access::Quantity::kJointPosition, "m or rad"),
         std::tuple(kJointVelocity, access::Quantity::kJointVelocity, "m/s or rad/s")}) {
@@ -134,7 +147,39 @@ void Recorder::describe(const env::World& world, const Options& options) {
   file_->table(kStateSteps, h5.i64, {}, "");
   file_->table(kStateGiven, h5.u8, {}, "");
   file_->table(kStateBodies, h5.i64, {}, "");
-  file_->table(kBodies, h5.f64, {row_of(body_).size()}, "", names_of_row(world));
+}
+
+void Recorder::describe_results(const env::World& world) {
+  const hdf5::Library& h5 = hdf5::library();
+  const std::size_t agents = world.agents().size();
+  std::string terms;
+  for (const env::RewardTerm& term : env::describe(world).terms) terms += term.name + "\n";
+  file_->table(kRewards, h5.f64, {agents}, "");
+  file_->table(kTerminated, h5.u8, {agents}, "");
+  file_->table(kTruncated, h5.u8, {agents}, "");
+  file_->table(kOutcome, h5.i32, {agents}, "");
+  file_->table(kTerms, h5.f64, {world.term_count()}, "", terms);
+}
+
+// What it takes to make the world again: its document for each age of its infants, all files that this refers to, and
+// the calls that made the rest.
+void Recorder::describe_world(const document::Package& package) {
+  const hdf5::Library& h5 = hdf5::library();
+  std::string calls;
+  for (const std::string& call : worlds_->as_described().calls) calls += (calls.empty() ? "[\n" : ",\n") + call;
+  file_->content(kWorld, bytes_of(calls.empty() ? "[]" : calls += "\n]"));
+  for (const auto& [name, bytes] : package.files) file_->content(kSceneFolder + name, bytes_of(bytes));
+  file_->table(kDocuments, h5.u8, {package.document.size()}, "", "", Writer::Rows::kMayGrow);
+  file_->table(kModels, h5.u64, {}, "");
+  file_->table(kBodies, h5.f64, {row_of(body_).size()}, "", names_of_row(*world_));
+}
+
+void Recorder::keep_body(const env::World& world, const std::string& document) {
+  const std::vector<double> row = row_of(body_);
+  const std::uint64_t hash = world.model_hash();
+  file_->append(kBodies, row.data());
+  file_->append(kDocuments, bytes_of(document));
+  file_->append(kModels, &hash);
 }
 
 void Recorder::describe_fields(const env::World& world, const std::vector<std::size_t>& kept) {
@@ -166,6 +211,7 @@ std::uint8_t* Recorder::step_begins(const env::World& world, std::uint8_t* block
   const std::lock_guard alone(mutex_);
   stepping_ = true;
   attempt([&] { begin(world); });
+  if (own_task_) changes_ = world.changes();  // what the task does to the world in this step is a change, too
   return block == nullptr && !own_block_.empty() ? own_block_.data() : block;
 }
 
@@ -182,8 +228,7 @@ void Recorder::keep_state(const env::World& world, bool changed) {
   Growths body = growths_of(world);
   if (body != body_) {
     body_ = std::move(body);
-    const std::vector<double> row = row_of(body_);
-    file_->append(kBodies, row.data());
+    keep_body(world, worlds_->described_at(body_).scene.package().document);
     ++bodies_;
   }
   const std::uint8_t mark = changed ? 1 : 0;
@@ -198,7 +243,7 @@ void Recorder::step_ends(env::World& world, Span<const float> actions, const std
   {
     const std::lock_guard alone(mutex_);
     attempt([&] { write(world, actions, block); });
-    changes_ = world.changes();
+    if (!own_task_) changes_ = world.changes();
     stepping_ = false;
     complains = !trouble_.empty() && !told_;
     told_ = told_ || complains;
@@ -213,9 +258,7 @@ void Recorder::write(const env::World& world, Span<const float> actions, const s
   actions_.assign(world.action_size(), std::numeric_limits<float>::quiet_NaN());
   std::copy(actions.begin(), actions.end(), actions_.begin());
   file_->append(kActions, actions_.data());
-  numbers_.clear();
-  for (const env::Agent& agent : world.agents()) numbers_.push_back(agent.task->reward());
-  file_->append(kRewards, numbers_.data());
+  write_results(world);
   read_joints(world, access::Quantity::kJointPosition, numbers_);
   file_->append(kJointPosition, numbers_.data());
   read_joints(world, access::Quantity::kJointVelocity, numbers_);
@@ -223,6 +266,15 @@ void Recorder::write(const env::World& world, Span<const float> actions, const s
   for (const Kept& field : fields_) file_->append(field.table, block + field.offset);
   if (std::chrono::duration<double>(Clock::now() - flushed_).count() < flush_seconds_) return;
   if (file_->flush_if_free()) flushed_ = Clock::now();
+}
+
+void Recorder::write_results(const env::World& world) {
+  results_.take(world);
+  file_->append(kRewards, results_.reward.data());
+  file_->append(kTerminated, results_.terminated.data());
+  file_->append(kTruncated, results_.truncated.data());
+  file_->append(kOutcome, results_.outcome.data());
+  file_->append(kTerms, results_.terms.data());
 }
 
 void Recorder::complain(const env::World& world) const {

@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "blueprint/aging_world.h"
 #include "env/step_observer.h"
 #include "recording/bodies.h"
 #include "recording/file.h"
+#include "recording/step_results.h"
 
 namespace mimo::recording {
 
@@ -19,8 +21,8 @@ struct Options {
   double state_seconds = 1;  // of simulated time, between states that are kept
   double flush_seconds = 1;  // of real time
   unsigned compression = 4;
-  bool replace = false;                    // a whole recording that is there
-  std::string configuration, seed, build;  // attributes
+  bool replace = false;                                     // a whole recording that is there
+  std::string configuration, seed, build, library, mujoco;  // attributes
 };
 
 // Between two steps a host may do anything to its world. What that was does not matter: where the world tells that
@@ -28,7 +30,7 @@ struct Options {
 class Recorder : public env::StepObserver {
  public:
   // Throws before the file is made where an option is wrong. The world tells it of its steps from now on.
-  static std::shared_ptr<Recorder> follow(env::World& world, const Options& options);
+  static std::shared_ptr<Recorder> follow(const blueprint::AgingWorld& aging, const Options& options);
 
   // Throws what could not be written, now or before.
   void flush();
@@ -51,11 +53,15 @@ class Recorder : public env::StepObserver {
   };
   using Clock = std::chrono::steady_clock;
 
-  Recorder(env::World& world, const Options& options);
+  Recorder(const blueprint::AgingWorld& aging, const Options& options);
   void describe(const env::World& world, const Options& options);
+  void describe_results(const env::World& world);
+  void describe_world(const document::Package& package);
   void describe_fields(const env::World& world, const std::vector<std::size_t>& kept);  // by number
   bool changed(const env::World& world) const;
   void keep_state(const env::World& world, bool changed);
+  void keep_body(const env::World& world, const std::string& document);
+  void write_results(const env::World& world);
   void begin(const env::World& world);
   void write(const env::World& world, Span<const float> actions, const std::uint8_t* block);
   void finish() noexcept;
@@ -64,6 +70,7 @@ class Recorder : public env::StepObserver {
   void complain(const env::World& world) const;
 
   std::mutex mutex_;  // flush() may come from another thread than the steps
+  blueprint::WorldsByAgePtr worlds_;
   env::World* world_;
   std::unique_ptr<Writer> file_;  // null when it is closed
   std::string trouble_;           // what went wrong first, "" for nothing
@@ -72,11 +79,13 @@ class Recorder : public env::StepObserver {
   bool begun_ = false;       // with a first state on its way to the disk
   std::size_t state_every_;  // steps
   double step_seconds_, flush_seconds_;
+  bool own_task_;  // of the user's own, which a replay may not have
   std::vector<Kept> fields_;
-  std::uint64_t changes_ = 0;  // of the world, when the last step ended
+  std::uint64_t changes_ = 0;  // of the world, when the last step ended, or where the task is the user's own, began
   std::vector<std::uint8_t> own_block_, state_;
   std::vector<float> actions_;
   std::vector<double> numbers_;
+  StepResults results_;
   Growths body_;
   std::int64_t steps_ = 0, bodies_ = 0;
   Clock::time_point flushed_ = Clock::now();

@@ -24,9 +24,9 @@ void widen(Table& table, std::size_t row_bytes) {
 
 }  // namespace
 
-Writer::Writer(const std::string& path, bool replace, unsigned compression)
+Writer::Writer(const std::string& path, bool replace, unsigned compression, std::size_t content)
     : h5_(hdf5::library()), place_(path, replace), compression_(compression) {
-  place_.require_room();
+  place_.require_room(content);
   const hdf5::Turn turn;
   // What is needed for a file that stays whole while it grows ("single writer, multiple readers").
   const hdf5::Handle access(h5_.CreateProperties(h5_.file_access), h5_.CloseProperties);
@@ -107,21 +107,38 @@ void Writer::table(const std::string& name, hdf5::Id type, const std::vector<std
   chunk[0] = table.chunk_rows;
   const int rank = static_cast<int>(chunk.size());
   const hdf5::Handle space(h5_.CreateSimpleSpace(rank, table.extents.data(), most.data()), h5_.CloseSpace);
+  table.dataset = make_dataset(name, type, space, chunk);
+  if (!unit.empty()) write_text(table.dataset.id(), "unit", unit);
+  if (!names.empty()) write_text(table.dataset.id(), "names", names);
+  tables_.emplace(name, std::move(table));
+}
+
+hdf5::Handle Writer::make_dataset(const std::string& name, hdf5::Id type, const hdf5::Handle& space,
+                                  const std::vector<hdf5::Size>& chunk) const {
   const hdf5::Handle layout(h5_.CreateProperties(h5_.dataset_create), h5_.CloseProperties);
   const hdf5::Handle groups(h5_.CreateProperties(h5_.link_create), h5_.CloseProperties);
   h5_.SetCreateGroups(groups.id(), 1);
-  h5_.SetChunk(layout.id(), rank, chunk.data());
+  h5_.SetChunk(layout.id(), static_cast<int>(chunk.size()), chunk.data());
   if (compression_ != 0 && h5_.deflate) {
     h5_.SetShuffle(layout.id());
     h5_.SetDeflate(layout.id(), compression_);
   }
-  table.dataset = hdf5::Handle(
+  hdf5::Handle dataset(
       h5_.CreateDataset(file_.id(), name.c_str(), type, space.id(), groups.id(), layout.id(), hdf5::kDefault),
       h5_.CloseDataset);
-  check(table.dataset.id());
-  if (!unit.empty()) write_text(table.dataset.id(), "unit", unit);
-  if (!names.empty()) write_text(table.dataset.id(), "names", names);
-  tables_.emplace(name, std::move(table));
+  check(dataset.id());
+  return dataset;
+}
+
+void Writer::content(const std::string& name, Span<const std::uint8_t> bytes) {
+  if (bytes.size() == 0) return;
+  const hdf5::Turn turn;
+  const std::vector<hdf5::Size> extent{bytes.size()}, chunk{std::min(bytes.size(), kChunkBytes)};
+  const hdf5::Handle space(h5_.CreateSimpleSpace(1, extent.data(), nullptr), h5_.CloseSpace);
+  const hdf5::Handle dataset = make_dataset(name, h5_.u8, space, chunk);
+  check(hdf5::with_rows(dataset.id(), extent, 0, extent[0], [&](hdf5::Id memory, hdf5::Id place) {
+    return h5_.Write(dataset.id(), h5_.u8, memory, place, hdf5::kDefault, bytes.data());
+  }));
 }
 
 void Writer::start() {

@@ -20,7 +20,6 @@
 #include "document/loader.h"
 #include "document/merging.h"
 #include "document/names.h"
-#include "document/saving.h"
 #include "document/xml.h"
 #include "scene/growing.h"
 #include "scene/joints.h"
@@ -447,7 +446,7 @@ void Scene::check_places(const engine::ModelPtr& model, const LogSink& log) cons
 
 std::string Scene::xml() const { return document::print(shown()); }
 
-void Scene::save(const std::string& folder) const { document::save(shown(), folder); }
+document::Package Scene::package() const { return document::package(shown(), limits_); }
 
 document::Composition Scene::compose() const { return document::packed(finished(), limits_); }
 

@@ -14,6 +14,7 @@
 #include "document/library.h"
 #include "document/limits.h"
 #include "document/pose.h"
+#include "document/saving.h"
 #include "growth/growth.h"
 #include "scene/guest.h"
 #include "scene/recipe.h"
@@ -111,9 +112,9 @@ class Scene {
   // within the limits; throws Status::kModel else.
   std::string xml() const;
   document::Composition compose() const;
-  // The document with all its files, for tools that know nothing of libmimo; throws what xml() and document::save
+  // The document with all its files, for tools that know nothing of libmimo; throws what xml() and document::package
   // throw.
-  void save(const std::string& folder) const;
+  document::Package package() const;
 
  private:
   pugi::xml_document finished() const;

@@ -47,14 +47,13 @@ static void check_refusals(mimo_env* env) {
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "state has a length of", mimo_env_state_save(env, copy, bytes - 1));
   for (i = 0; i <= bytes; ++i) CHECK(copy[i] == 0x55);
   memcpy(copy, state, bytes);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "too few for a state", mimo_env_state_load(env, copy, 0, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes - 1, NULL));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state: it has", mimo_env_state_load(env, copy, bytes + 1, NULL));
+  CHECK_FAILS(MIMO_E_FILE, "too few for a state", mimo_env_state_load(env, copy, 0, NULL));
+  CHECK_FAILS(MIMO_E_FILE, "state: it has", mimo_env_state_load(env, copy, bytes - 1, NULL));
+  CHECK_FAILS(MIMO_E_FILE, "state: it has", mimo_env_state_load(env, copy, bytes + 1, NULL));
   for (i = 0; i < bytes; i += 1 + i / 16) {
     const int in_version = i >= 8 && i < 16; /* a higher one: of a newer library */
     copy[i] ^= 0x10;
-    CHECK_FAILS(in_version ? MIMO_E_UNSUPPORTED : MIMO_E_INVALID_ARGUMENT,
-                "state: ", mimo_env_state_load(env, copy, bytes, NULL));
+    CHECK_FAILS(in_version ? MIMO_E_UNSUPPORTED : MIMO_E_FILE, "state: ", mimo_env_state_load(env, copy, bytes, NULL));
     copy[i] ^= 0x10;
   }
   CHECK(same(env, state));
@@ -73,14 +72,14 @@ static void check_versions(mimo_env* env) {
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "needs a newer library", mimo_env_state_load(env, state, bytes, NULL));
   version -= 2;
   memcpy(state + 8, &version, sizeof version);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "its version is 1", mimo_env_state_load(env, state, bytes, NULL));
+  CHECK_FAILS(MIMO_E_FILE, "its version is 1", mimo_env_state_load(env, state, bytes, NULL));
   free(state);
 }
 
 static void check_other_model(mimo_env* env) {
   uint8_t* state = state_of(env);
   mimo_env* other = blind_env("benchmark", NULL);
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "another model", mimo_env_state_load(other, state, bytes, NULL));
+  CHECK_FAILS(MIMO_E_MISMATCH, "another model", mimo_env_state_load(other, state, bytes, NULL));
   mimo_env_destroy(other);
   free(state);
 }

@@ -63,7 +63,7 @@ static inline void promise(int kept, const char* what, int line) {
 
 /* Every call answers with one of the statuses of mimo.h, and MIMO_E_INTERNAL is a defect. */
 static inline mimo_status known(mimo_status status, const char* what, int line) {
-  promise(status == MIMO_OK || (status >= MIMO_E_BUSY && status < 0 && status != MIMO_E_INTERNAL), what, line);
+  promise(status == MIMO_OK || (status >= MIMO_E_END && status < 0 && status != MIMO_E_INTERNAL), what, line);
   return status;
 }
 

@@ -60,4 +60,5 @@ ROW(mimo_batch_state_save, ON_BATCH | SIMULATES,
     NO_NULL(states_out, "states"), SHORT(states_bytes, "states"))
 ROW(mimo_batch_state_load, ON_BATCH | HEALS,
     mimo_batch_state_load(a->batch, a->mask, a->worlds, a->states, a->states_bytes, a->report), WORLDS,
-    NO_NULL(states, "states"), EXACT(states_bytes, "state_bytes"), BAD_SIZE(states_bytes, 0, "state"), LOAD_REPORT)
+    NO_NULL(states, "states"), EXACT(states_bytes, "state_bytes"), SIZE_IS(states_bytes, 0, MIMO_E_FILE, "state"),
+    LOAD_REPORT)

@@ -112,9 +112,9 @@ ROW(mimo_env_state_size, ON_ENV, mimo_env_state_size(a->env, a->count), NO_NULL(
 ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->state_out, a->state_bytes),
     NO_NULL(state_out, "state"), SHORT(state_bytes, "state"))
 ROW(mimo_env_state_load, ON_ENV | HEALS, mimo_env_state_load(a->env, a->state, a->state_bytes, a->report),
-    NO_NULL(state, "state"), LOAD_REPORT, EXACT(state_bytes, "state"), BAD_SIZE(state_bytes, 0, "state"),
-    BAD_SIZE(state_bytes, 47, "state"), DO(no_state, E_ARG, "no state"), DO(damaged_state, E_ARG, "damaged"),
-    DO(foreign_state, E_ARG, "another"))
+    NO_NULL(state, "state"), LOAD_REPORT, WHOLE_STATE(state_bytes), SIZE_IS(state_bytes, 47, MIMO_E_FILE, "state"),
+    DO(no_state, MIMO_E_FILE, "no state"), DO(damaged_state, MIMO_E_FILE, "damaged"),
+    DO(foreign_state, MIMO_E_MISMATCH, "another"))
 ROW(mimo_env_clone, ON_ENV | SIMULATES, mimo_env_clone(a->env, a->made_env), NO_NULL(made_env, "clone"))
 ROW(mimo_env_random, ON_ENV, mimo_env_random(a->env, a->numbers, a->number_count), NO_NULL(numbers, "values"),
     BAD_SIZE(number_count, -1, "values"), SIZE_IS(number_count, 0, MIMO_OK, NULL))

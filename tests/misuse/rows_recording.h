@@ -27,7 +27,9 @@ ROW(mimo_recording_read, ON_RECORDING,
     BAD_SIZE(row_count, -1, "rows"), DO(no_dataset, MIMO_E_NOT_FOUND, "wings"))
 ROW(mimo_recording_seek, ON_RECORDING | ON_ENV | HEALS,
     mimo_recording_seek(a->recording, a->env, a->row_index, (uint32_t)a->compare, a->count), NULL_OK(count),
-    BAD_SIZE(row_index, 3, "step"), BAD_INDEX(row_index, "step"), UNKNOWNS(compare, 2, "compare_fields"))
+    BAD_SIZE(row_index, 3, "step"), BAD_INDEX(row_index, "step"), UNKNOWNS(compare, 4, "how"))
+ROW(mimo_recording_env, ON_RECORDING, mimo_recording_env(a->recording, NULL, NULL, a->made_env),
+    NO_NULL(made_env, "env"))
 ROW(mimo_recording_step, ON_RECORDING | ON_ENV | HEALS, seek_and_step(a), NULL_OK(env_results),
     BAD_SIZES(env_results, mimo_env_results, "results"), NO_NULL(block, "block"), SHORT(block_bytes, "block"))
 ROW(mimo_recording_report, ON_RECORDING, mimo_recording_report(a->recording, a->replay_report),

@@ -35,5 +35,5 @@ ROW(mimo_senses_state_size, ON_SENSES, mimo_senses_state_size(a->senses, a->coun
 ROW(mimo_senses_state_save, ON_SENSES, mimo_senses_state_save(a->senses, a->memory_out, a->memory_bytes),
     NO_NULL(memory_out, "state"), SHORT(memory_bytes, "state"))
 ROW(mimo_senses_state_load, ON_SENSES, mimo_senses_state_load(a->senses, a->memory, a->memory_bytes, a->report),
-    NO_NULL(memory, "state"), LOAD_REPORT, EXACT(memory_bytes, "state"), BAD_SIZE(memory_bytes, 0, "state"),
-    DO(damaged_memory, E_ARG, "damaged"), DO(state_as_memory, E_ARG, "another model"))
+    NO_NULL(memory, "state"), LOAD_REPORT, WHOLE_STATE(memory_bytes), DO(damaged_memory, MIMO_E_FILE, "damaged"),
+    DO(state_as_memory, MIMO_E_MISMATCH, "another model"))

@@ -185,6 +185,13 @@ int rows_failures(void);
       {FAULT_LESS, #m " is one too large", MEMBER(m), 0, -1, 0, NULL, E_ARG, names}, { \
     FAULT_SIZE, #m " is huge", MEMBER(m), 0, -1, 0, NULL, E_ARG, names                 \
   }
+/* A state that was cut, or has something behind it. */
+#define WHOLE_STATE(m)                                                                       \
+  {FAULT_LESS, #m " is one too small", MEMBER(m), 0, 1, 0, NULL, MIMO_E_FILE, "state"},      \
+      {FAULT_LESS, #m " is one too large", MEMBER(m), 0, -1, 0, NULL, MIMO_E_FILE, "state"}, \
+      {FAULT_SIZE, #m " is huge", MEMBER(m), 0, -1, 0, NULL, MIMO_E_FILE, "state"}, {        \
+    FAULT_SIZE, #m " is 0", MEMBER(m), 0, 0, 0, NULL, MIMO_E_FILE, "state"                   \
+  }
 #define BAD_I32(m, n, names) \
   { FAULT_I32, #m " is " #n, MEMBER(m), 0, n, 0, NULL, E_ARG, names }
 #define BAD_IDS(m, names) BAD_I32(m, -1, names), BAD_I32(m, INT32_MIN, names), BAD_I32(m, INT32_MAX, names)

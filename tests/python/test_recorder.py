@@ -42,7 +42,7 @@ def test_a_recorded_program_is_replayed(run):
     with mimo.Recording(run) as recording, mimo.World("benchmark", vision=False, touch_scale=0.5) as world:
         assert (recording.steps, recording.configuration, recording.seed) == (18, "{}", 2**64 - 1)
         assert recording.same_build
-        assert recording.format_version == 2
+        assert recording.format_version == 3
         for step in (0, 11, 18):
             report = recording.play(world, step)
             assert report == (True, 18, report.steps, 0, 0.0, "")
@@ -51,7 +51,7 @@ def test_a_recorded_program_is_replayed(run):
         np.testing.assert_array_equal(recording.read("joints/position", np.float64)[-1], last)
         np.testing.assert_array_equal(recording.read("fields/touch/force", np.float32, 17, 1).ravel(), touch.ravel())
         assert np.isnan(recording.read("actions", np.float32)[17]).all()  # the motors were left as they were
-        with pytest.raises(mimo.NotFoundError, match="ends at step 18"):
+        with pytest.raises(mimo.EndError, match="ends at step 18"):
             recording.step(world)
         with pytest.raises(mimo.NotFoundError, match="wings"):
             recording.read("wings", np.float32)
@@ -116,7 +116,7 @@ def test_refused_values(run, tmp_path):
             with pytest.raises(mimo.BusyError, match="already"):
                 mimo.Recorder(world, tmp_path / "new.h5")
             move(world, 2)
-        with mimo.Recording(run) as recording, pytest.raises(mimo.ArgumentError, match="other joints"):
+        with mimo.Recording(run) as recording, pytest.raises(mimo.MismatchError, match="other joints"):
             recording.play(other)
         with mimo.Recorder(world, run, replace=True) as recorder:
             world.close()  # closes the file, too

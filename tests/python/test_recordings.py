@@ -1,13 +1,15 @@
 """Recordings: worlds that are made as they say, and play them bit for bit."""
 
+import json
+import pickle
 import re
+import shutil
 
 import numpy as np
 import pytest
 from recorded import record, recorder_or_skip, table_of
 
 import mimo
-from mimo.recorded_world import recorded_world
 
 ROOM = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><light pos="0 0 3"/></worldbody></mujoco>"""
 
@@ -74,53 +76,88 @@ def test_the_scene_of_a_program_is_rebuilt(tmp_path):
             assert recording.play(world).identical  # fields, too
 
 
-def test_a_recording_without_a_configuration_needs_a_scene(tmp_path):
-    path = tmp_path / "bare.h5"
-    with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, configuration=""):
-        world.step(np.full(len(world.layout.actions), 0.3))
-    with mimo.Recording(path) as recording:
-        with pytest.raises(
-            ValueError, match=r"bare.h5 has a configuration that cannot be made anew: it is empty; name"
-        ):
-            recording.world()
-        with recording.world(0, "reach") as world:
-            assert recording.play(world, compare_fields=False).identical
-
-
-class Quiet(mimo.WorldTask):
-    """A task that JSON cannot tell."""
+class Counting(mimo.WorldTask):
+    """A task that no file holds."""
 
     def evaluate(self, world, moment):
-        return mimo.Judgement(0.0)
+        return mimo.Judgement(float(moment.step))
 
 
-@pytest.mark.parametrize(
-    ("configuration", "told"),
-    [
-        ("[]", "it is not an object"),
-        ("no JSON", "Expecting value"),
-        ('{"python": {"scene": {}, "calls": [["save", ["/tmp"], {}]], "options": {}}}', "call is 'save', expected one"),
-        ('{"python": {"scene": {"wings": 2}, "calls": [], "options": {}}}', "wings"),
-        ('{"python": 3}', "has a configuration that cannot be made anew"),
-        ('{"age": ["old"]}', "could not convert string to float: 'old'"),
-    ],
-)
-def test_a_file_without_a_configuration_is_refused(configuration, told, tmp_path):
-    path = tmp_path / "run.h5"
-    with mimo.World("reach", vision=False) as world, recorder_or_skip(world, path, configuration=configuration):
-        pass
-    with mimo.Recording(path) as recording, pytest.raises(ValueError, match=told):
-        recording.world()
-
-
-def test_a_custom_task_is_not_kept(tmp_path):
+def test_rewards_of_a_custom_task_are_those_of_the_file(tmp_path):
     path = tmp_path / "run.h5"
     scene = own_scene()
-    scene.set_task(Quiet())
+    scene.set_task(Counting())
     with mimo.World(scene) as world, recorder_or_skip(world, path):
-        world.step()
-    with mimo.Recording(path) as recording:
-        assert recording.configuration == ""
+        for _ in range(3):
+            world.step()
+    with mimo.Recording(path) as recording, recording.world(eyes=0) as world:
+        recording.seek(world)
+        assert [recording.step(world).reward[0] for _ in range(3)] == [1, 2, 3]
+        assert recording.report().identical
+        with pytest.raises(mimo.EndError, match="ends at step 3"):
+            recording.step(world)
+        with pytest.raises(TypeError, match="cannot be pickled"):
+            pickle.dumps(world)
+
+
+def test_joints_are_replayed_without_states(tmp_path):
+    run = record(tmp_path / "run.h5", "--seconds", "0.2")
+    table = table_of(run, "joints/position")
+    with mimo.Recording(run) as recording, recording.world(eyes=0) as world:
+        recording.seek(world, joints=True, compare_fields=False)
+        for step in range(recording.steps):
+            recording.step(world)
+            np.testing.assert_allclose(world.get(mimo.Quantity.JOINT_POSITION), table[step], atol=1e-12)
+
+
+def test_damaged_worlds_are_refused(tmp_path):
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    run = record(tmp_path / "run.h5", "--seconds", "0.1")
+    with h5py.File(run) as file:
+        calls = json.loads(bytes(file["world"][()]))
+
+    def expect(changed, error, line):
+        text = changed if isinstance(changed, bytes) else json.dumps(changed).encode()
+        copy = tmp_path / f"{len(list(tmp_path.iterdir()))}.h5"
+        shutil.copy(run, copy)
+        with h5py.File(copy, "a") as file:
+            del file["world"]
+            file["world"] = np.frombuffer(text, np.uint8)
+        with mimo.Recording(copy) as recording, pytest.raises(error, match=line) as raised:
+            recording.world(eyes=0)
+        assert "\n" not in str(raised.value)
+
+    agents, env = calls
+    expect(b"[" * 100000, mimo.FileError, "'world' of the recording: it is no list")
+    expect({}, mimo.FileError, "it is no list")
+    expect([3], mimo.FileError, "a call is no object")
+    expect([{"call": "fly"}], mimo.UnsupportedError, '"fly" is not known')
+    expect([agents, {"call": "env_create"}], mimo.FileError, 'lacks "config"')
+    wide = {**agents, "config": {**agents["config"], "touch_scale": 1e9}}
+    expect([wide, env], mimo.ArgumentError, "touch_scale is 1000000000, expected")
+    newer = {**agents, "config": {**agents["config"], "smell": 1}}
+    expect([newer, env], mimo.UnsupportedError, "newer library")
+    expect([agents] * 10001, mimo.FileError, "10001 calls")
+
+
+def test_scenes_of_others_are_checked(tmp_path):
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    run = record(tmp_path / "run.h5", "--seconds", "0.1")
+    with h5py.File(run, "a") as file:
+        document = bytes(file["scene/document"][0]).rstrip(b"\0")
+        name = next(iter(file["scene/assets"]))
+        del file[f"scene/assets/{name}"]
+    with mimo.Recording(run) as recording, pytest.raises(mimo.ModelError, match="there is no file .* beside the document"):
+        recording.world(eyes=0)
+    with h5py.File(run, "a") as file:
+        file["scene/document"][0] = np.frombuffer(
+            document.replace(b'file="assets/', b'file="/etc/').ljust(file["scene/document"].shape[1], b"\0")[
+                : file["scene/document"].shape[1]
+            ],
+            np.uint8,
+        )
+    with mimo.Recording(run) as recording, pytest.raises(mimo.ModelError, match="no file .*/etc/"):
+        recording.world(eyes=0)
 
 
 def test_files_that_are_not_recordings(tmp_path):
@@ -136,25 +173,9 @@ def test_files_that_are_not_recordings(tmp_path):
         mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as newer:
         newer.attrs["format"], newer.attrs["format_version"] = np.bytes_("mimo recording"), 99
-    with pytest.raises(mimo.UnsupportedError, match="has format version 99, and this library reads up to 2"):
+    with pytest.raises(mimo.UnsupportedError, match="has format version 99, and this library reads up to 3"):
         mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as poor:
         poor.attrs["format_version"], poor.attrs["step_seconds"] = 1, 0.01
     with pytest.raises(mimo.FileError, match=r"other.h5 is not a whole recording"):
         mimo.Recording(tmp_path / "other.h5")
-
-
-@pytest.mark.parametrize(
-    ("configuration", "line"),
-    [
-        ("[" * 100000, "nested too deeply"),
-        ('{"scene": ' + "9" * 5000 + "}", "cannot be made anew"),
-        ("[]", "it is not an object"),
-        ("{", "cannot be made anew"),
-    ],
-)
-def test_empty_configurations(configuration, line):
-    with pytest.raises(ValueError, match=line) as raised:
-        recorded_world("run.h5", configuration, 0, None)
-    assert str(raised.value).startswith("run.h5 has a configuration that cannot be made anew: ")
-    assert "\n" not in str(raised.value)

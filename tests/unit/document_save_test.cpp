@@ -56,7 +56,7 @@ TEST_F(SceneSave, BuiltInScenes) {
     const Folder folder;
     scene::Scene scene(named(name));
     scene.add_body(scene.usual_infant().body, "", nullptr);
-    scene.save(folder.path("a/b"));
+    document::save(scene.package(), folder.path("a/b"));
     const engine::ModelPtr model = plain_mujoco(folder.path("a/b/scene.xml"));
     expect_same(*compile(scene), *model);
     EXPECT_GT(model->ntex, 5);
@@ -80,7 +80,7 @@ TEST_F(SceneSave, FilesOfOnesOwn) {
       "<geom type='mesh' mesh='part'/><geom type='mesh' mesh='other'/><geom type='mesh' mesh='A b:\xc3\xa9'/></body>"
       "</worldbody></mujoco>");
   const scene::Scene scene(from_file(path));
-  scene.save(elsewhere.path("saved"));
+  document::save(scene.package(), elsewhere.path("saved"));
   expect_same(*compile(scene), *plain_mujoco(elsewhere.path("saved/scene.xml")));
   for (const auto& entry : fs::directory_iterator(elsewhere.path("saved/assets"))) {
     const std::string name = entry.path().filename().string();
@@ -91,19 +91,20 @@ TEST_F(SceneSave, FilesOfOnesOwn) {
 TEST_F(SceneSave, NothingIsOverwritten) {
   const Folder folder;
   scene::Scene scene(named("free"));
-  scene.save(folder.path("s"));
-  scene.save(folder.path("s"));  // the same again is there already
+  document::save(scene.package(), folder.path("s"));
+  document::save(scene.package(), folder.path("s"));  // the same again is there already
   const std::string before = read(folder.path("s/scene.xml"));
   scene.add_body("mitten", "", nullptr);
-  expect_error(Status::kFile, "scene.xml is there with other content", [&] { scene.save(folder.path("s")); });
+  expect_error(Status::kFile, "scene.xml is there with other content",
+               [&] { document::save(scene.package(), folder.path("s")); });
   EXPECT_EQ(read(folder.path("s/scene.xml")), before);
   EXPECT_FALSE(fs::exists(folder.path("s/assets/mimo_skin.png")));
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(folder.path("s/assets"))) files += entry.is_regular_file();
   EXPECT_EQ(files, 1u) << "the floor's picture, and none of the infant's";
   const std::string file = folder.write("file", "");
-  expect_error(Status::kFile, "cannot be made", [&] { scene.save(file); });
-  expect_error(Status::kFile, "cannot be made", [&] { scene.save(file + "/below"); });
+  expect_error(Status::kFile, "cannot be made", [&] { document::save(scene.package(), file); });
+  expect_error(Status::kFile, "cannot be made", [&] { document::save(scene.package(), file + "/below"); });
 }
 
 // All files below a folder, and folders, by their paths, with what they hold.
@@ -137,11 +138,11 @@ class SmallDisk {
 TEST_F(SceneSave, AFullDiskLeavesNothing) {
   const Folder folder, elsewhere, half;
   scene::Scene scene(named("free"));
-  scene.save(half.path("s"));  // a part of what follows
+  document::save(scene.package(), half.path("s"));  // a part of what follows
   fs::remove(half.path("s/scene.xml"));
   const auto before = content_of(half.path(""));
   scene.add_body("mitten", "", nullptr);
-  scene.save(elsewhere.path("s"));
+  document::save(scene.package(), elsewhere.path("s"));
   std::set<std::size_t> sizes;
   for (const auto& entry : fs::recursive_directory_iterator(elsewhere.path("s"))) {
     if (entry.is_regular_file()) sizes.insert(fs::file_size(entry));
@@ -151,23 +152,23 @@ TEST_F(SceneSave, AFullDiskLeavesNothing) {
     SCOPED_TRACE(size);
     {
       const SmallDisk disk(size - 1);
-      expect_error(Status::kFile, "cannot be written", [&] { scene.save(folder.path("a/b")); });
+      expect_error(Status::kFile, "cannot be written", [&] { document::save(scene.package(), folder.path("a/b")); });
     }
     EXPECT_TRUE(content_of(folder.path("")).empty());
   }
   {
     const SmallDisk disk(*sizes.rbegin() - 1);
-    expect_error(Status::kFile, "cannot be written", [&] { scene.save(half.path("s")); });
+    expect_error(Status::kFile, "cannot be written", [&] { document::save(scene.package(), half.path("s")); });
   }
   EXPECT_EQ(content_of(half.path("")), before);
-  scene.save(half.path("s"));  // and now there is room
+  document::save(scene.package(), half.path("s"));  // and now there is room
   expect_same(*plain_mujoco(half.path("s/scene.xml")), *plain_mujoco(elsewhere.path("s/scene.xml")));
 }
 
 TEST_F(SceneSave, AMissingFileIsNamed) {
   const Folder folder;
   const scene::Scene scene(from_text("<mujoco><asset><mesh file='no/such.obj'/></asset></mujoco>"));
-  expect_error(Status::kNotFound, "no/such.obj", [&] { scene.save(folder.path("s")); });
+  expect_error(Status::kNotFound, "no/such.obj", [&] { document::save(scene.package(), folder.path("s")); });
   EXPECT_FALSE(fs::exists(folder.path("s")));
 }
 

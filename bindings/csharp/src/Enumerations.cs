@@ -32,12 +32,16 @@ namespace Mimo
         Forked = -11,
         /// <summary>A defect in libmimo; please report the message.</summary>
         Internal = -12,
-        /// <summary>A file cannot be written, or has the wrong content.</summary>
+        /// <summary>A file cannot be written, or a file or state is damaged or something else.</summary>
         File = -13,
         /// <summary>A custom task failed or returned invalid values; see Env.Step.</summary>
         Task = -14,
         /// <summary>Not now: another thread uses the handle, or another call has to come first.</summary>
-        Busy = -15
+        Busy = -15,
+        /// <summary>A state or recording is of another model, age, task or kind of agents.</summary>
+        Mismatch = -16,
+        /// <summary>A recording has no further step.</summary>
+        End = -17
     }
 
     /// <summary>How much a message matters.</summary>
@@ -68,6 +72,18 @@ namespace Mimo
         Inertia = 7,
         /// <summary>The solver stopped at its last iteration; counted, not logged.</summary>
         NotConverged = 8
+    }
+
+    /// <summary>How a recording is played again.</summary>
+    [Flags]
+    public enum Replay : uint
+    {
+        /// <summary>None of them.</summary>
+        None = 0,
+        /// <summary>Recorded fields are compared as well. Without it, the world may sense otherwise.</summary>
+        Fields = 0x1,
+        /// <summary>Joints are put where they were, instead of steps. Works with any version.</summary>
+        Joints = 0x2
     }
 
     /// <summary>Shapes of objects, and what their size is.</summary>

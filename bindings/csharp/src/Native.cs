@@ -920,6 +920,12 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_open"); }
         }
 
+        internal static int mimo_recording_env(RecordingHandle recording, ref EnvConfigStruct config, ref AgentConfigStruct senses, out EnvHandle env)
+        {
+            try { return Entry.mimo_recording_env(recording, ref config, ref senses, out env); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_env"); }
+        }
+
         internal static void mimo_recording_destroy(IntPtr recording)
         {
             try { Entry.mimo_recording_destroy(recording); }
@@ -944,9 +950,9 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_read"); }
         }
 
-        internal static int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint compare_fields, out UIntPtr at)
+        internal static int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint how, out UIntPtr at)
         {
-            try { return Entry.mimo_recording_seek(recording, env, step, compare_fields, out at); }
+            try { return Entry.mimo_recording_seek(recording, env, step, how, out at); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_seek"); }
         }
 
@@ -1114,11 +1120,12 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_recorder_close(RecorderHandle recorder);
             [DllImport(File)] internal static extern int mimo_recorder_close(IntPtr recorder);
             [DllImport(File)] internal static extern int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording);
+            [DllImport(File)] internal static extern int mimo_recording_env(RecordingHandle recording, ref EnvConfigStruct config, ref AgentConfigStruct senses, out EnvHandle env);
             [DllImport(File)] internal static extern void mimo_recording_destroy(IntPtr recording);
             [DllImport(File)] internal static extern int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info);
             [DllImport(File)] internal static extern int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes);
             [DllImport(File)] internal static extern int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes);
-            [DllImport(File)] internal static extern int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint compare_fields, out UIntPtr at);
+            [DllImport(File)] internal static extern int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint how, out UIntPtr at);
             [DllImport(File)] internal static extern int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results);
             [DllImport(File)] internal static extern int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report);
         }
@@ -1136,5 +1143,6 @@ namespace Mimo
         internal const int ApiMinor = 0;
         internal const int ApiVersion = 1000;
         internal const int Headlight = -1;
+        internal const int AsRecorded = 1073741824;
     }
 }

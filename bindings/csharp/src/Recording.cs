@@ -83,13 +83,47 @@ namespace Mimo
             return values;
         }
 
+        /// <summary>A config whose senses are all those of the recording, to change some of them for
+        /// CreateEnv.</summary>
+        public static AgentConfig SensesAsRecorded()
+        {
+            return new AgentConfig
+            {
+                Proprioception = (Proprioception)Constants.AsRecorded,
+                Vestibular = (Vestibular)Constants.AsRecorded,
+                Vision = (Vision)Constants.AsRecorded,
+                Touch = (MimoTouch)Constants.AsRecorded,
+                Hearing = (Hearing)Constants.AsRecorded,
+            };
+        }
+
+        /// <summary>Creates the recorded world from the file alone. A custom task is not in the file: the world has
+        /// one that does nothing, and a replay gives the recorded results. senses: what each infant senses; null: as
+        /// recorded.</summary>
+        public Env CreateEnv(EnvConfig config = null, AgentConfig senses = null)
+        {
+            return new Env((config ?? new EnvConfig()).Use((raw, log) =>
+            {
+                using (var parts = new PinnedParts())
+                {
+                    var wanted = (senses ?? SensesAsRecorded()).Raw(parts);
+                    EnvHandle made;
+                    var status = Native.mimo_recording_env(Handle, ref raw, ref wanted, out made);
+                    made.Log = log;
+                    Logging.CheckTold(status, log);
+                    return made;
+                }
+            }));
+        }
+
         /// <summary>Loads the last saved state that is not later than a step, and returns that state's step. Infants
-        /// get the age that they had. With compareFields false the world may have other senses.</summary>
-        public int Seek(Env env, int step = 0, bool compareFields = true)
+        /// get the age that they had. Without Replay.Fields the world may have other senses. With Replay.Joints steps
+        /// set the recorded joints, which works with any version.</summary>
+        public int Seek(Env env, int step = 0, Replay how = Replay.Fields)
         {
             UIntPtr at;
             MimoException.Check(Native.mimo_recording_seek(Handle, Given.Some(env, "env", "an Env").Handle, Given.Index(step, "step"),
-                compareFields ? 1u : 0u, out at));
+                (uint)how, out at));
             if (hasAges) env.Layout.Renew();
             return (int)at;
         }

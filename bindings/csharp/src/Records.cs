@@ -314,6 +314,12 @@ namespace Mimo
         /// <summary>As a decimal number.</summary>
         public string Seed { get; }
 
+        /// <summary>Version of the library that recorded; "" before format version 3.</summary>
+        public string Library { get; }
+
+        /// <summary>Version of its MuJoCo; "" before format version 3.</summary>
+        public string Mujoco { get; }
+
         internal RecordingInfo(RecordingInfoStruct raw)
         {
             FormatVersion = (int)raw.format_version;
@@ -328,6 +334,8 @@ namespace Mimo
             ThisBuild = Utf8.Of(raw.this_build);
             Configuration = Utf8.Of(raw.configuration);
             Seed = Utf8.Of(raw.seed);
+            Library = Utf8.Of(raw.library);
+            Mujoco = Utf8.Of(raw.mujoco);
         }
     }
 

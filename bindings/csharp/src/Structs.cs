@@ -890,8 +890,10 @@ namespace Mimo
         internal IntPtr this_build;
         internal IntPtr configuration;
         internal IntPtr seed;
+        internal IntPtr library;
+        internal IntPtr mujoco;
 
-        internal const uint Bytes = 96;
+        internal const uint Bytes = 112;
 
         internal static RecordingInfoStruct New()
         {

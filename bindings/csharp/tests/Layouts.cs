@@ -115,10 +115,10 @@ internal static partial class Tests
         { typeof(RecorderConfigStruct), "64: " +
             "struct_size 0 4, compression 4 4, keep 8 8, state_seconds 16 8, flush_seconds 24 8, configuration 32 8, " +
             "seed 40 8, hdf5 48 8, replace 56 4, reserved 60 4" },
-        { typeof(RecordingInfoStruct), "96: " +
+        { typeof(RecordingInfoStruct), "112: " +
             "struct_size 0 4, format_version 4 4, same_build 8 4, reserved 12 4, steps 16 8, states 24 8, actions 32 " +
             "8, agents 40 8, bodies 48 8, step_seconds 56 8, build 64 8, this_build 72 8, configuration 80 8, seed 88 " +
-            "8" },
+            "8, library 96 8, mujoco 104 8" },
         { typeof(ReplayReportStruct), "48: " +
             "struct_size 0 4, identical 4 4, next 8 8, steps 16 8, first_difference 24 8, largest_difference 32 8, " +
             "differs_most_in 40 8" }

@@ -40,6 +40,11 @@ internal static partial class Tests
                 var report = recording.Play(twin);
                 Check(report.Identical && report.Steps == 11 && report.DiffersMostIn == "", report.DiffersMostIn);
                 Check(twin.Get(Quantity.AgentAge)[0] == 3, "age");
+                using (var alone = recording.CreateEnv())
+                {
+                    recording.Seek(alone);
+                    Check(recording.Play(alone).Identical, "the file alone");
+                }
                 var kept = recording.Read<float>("fields/hearing/ear_left", 10, 1);
                 Check(kept.SequenceEqual(heard), "another sound");
                 Check(recording.Read<float>("fields/hearing/ear_left", 0, 5).Max() > 0.1f, "silence");

@@ -23,10 +23,12 @@ function runs_are_replayed()
   assert(strcmp(info.configuration, '{}') && strcmp(info.seed, '7'));
   report = mimo_replay(twin, file);
   assert(report.identical && report.steps == 11 && isempty(report.differs_most_in));
+  alone = mimo_replay([], file);
+  assert(alone.identical && alone.steps == report.steps);
   report = mimo_replay(twin, file, 7, 9);
   assert(report.identical && report.next == 9 && report.steps == 4);  % the reset after 5 steps is a state
   other = mimo_create('reach', 'vision', 0, 'touch', 0);
-  refused(@() mimo_replay(other, file), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_replay(other, file), 'mimo:MISMATCH');
   refused(@() mimo_replay(twin, file, 12), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_record(other, file), 'mimo:FILE');
   mimo_record(other, file, 'replace', 1);

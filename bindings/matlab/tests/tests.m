@@ -76,7 +76,7 @@ function errors_have_identifiers()
   refused(@() mimo_set(world, 'body_mass', 'head', -1), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_get(world, 'step_contact_start'), 'mimo:UNSUPPORTED');
   refused(@() mimo_face(world, 'boredom'), 'mimo:NOT_FOUND');
-  refused(@() mimo_load(world, zeros(3, 1, 'uint8')), 'mimo:INVALID_ARGUMENT');
+  refused(@() mimo_load(world, zeros(3, 1, 'uint8')), 'mimo:FILE');
   refused(@() mimo_picture(world, 0, 8), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_gaze(world, 2), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_create('reach', 'visoin', 1), 'mimo:INVALID_ARGUMENT');

@@ -76,10 +76,17 @@ class Recording : public Handle<mimo_recording, detail::destroy_recording> {
     return read<T>(dataset, 0, rows(dataset));
   }
 
-  /// Begins a replay at the last kept state that is not later than a step; returns that state's step.
-  std::size_t seek(Env &env, std::size_t step = 0, bool compare_fields = true) {
+  /// The recorded world, made anew out of the file; configs as those of mimo_recording_env.
+  Env env(const mimo_env_config *config = nullptr, const mimo_agent_config *senses = nullptr) const {
+    mimo_env *made = nullptr;
+    check(mimo_recording_env(get(), config, senses, &made));
+    return Env(made);
+  }
+  /// Begins a replay at the last kept state that is not later than a step; returns that state's step. MIMO_REPLAY_ bits
+  /// say how.
+  std::size_t seek(Env &env, std::size_t step = 0, std::uint32_t how = MIMO_REPLAY_FIELDS) {
     std::size_t at = 0;
-    check(mimo_recording_seek(get(), env.get(), step, compare_fields ? 1 : 0, &at));
+    check(mimo_recording_seek(get(), env.get(), step, how, &at));
     return at;
   }
   /// Plays the next step.

@@ -21,6 +21,8 @@ from .env import Env, register
 from .errors import (
     ArgumentError,
     BusyError,
+    EndError,
+    MismatchError,
     ClosedError,
     Error,
     FileError,
@@ -77,6 +79,8 @@ __all__ = [
     "ArgumentError",
     "Batch",
     "BusyError",
+    "EndError",
+    "MismatchError",
     "ClosedError",
     "Env",
     "Error",

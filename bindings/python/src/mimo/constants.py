@@ -6,6 +6,7 @@ from __future__ import annotations
 from enum import IntEnum, IntFlag
 
 __all__ = [
+    "AS_RECORDED",
     "Act",
     "Actuation",
     "Autoreset",
@@ -29,6 +30,7 @@ __all__ = [
     "Receptor",
     "Reflex",
     "Render",
+    "Replay",
     "Sex",
     "Shape",
     "Status",
@@ -85,13 +87,19 @@ class Status(IntEnum):
     """A defect in libmimo; please report the message."""
 
     FILE = -13
-    """A file cannot be written, or has the wrong content."""
+    """A file cannot be written, or a file or state is damaged or something else."""
 
     TASK = -14
     """A custom task failed or returned invalid values; see World.step."""
 
     BUSY = -15
     """Not now: another thread uses the handle, or another call has to come first."""
+
+    MISMATCH = -16
+    """A state or recording is of another model, age, task or kind of agents."""
+
+    END = -17
+    """A recording has no further step."""
 
 
 class LogLevel(IntEnum):
@@ -130,6 +138,16 @@ class WarningCode(IntEnum):
 
     NOT_CONVERGED = 8
     """The solver stopped at its last iteration; counted, not logged. Experimental."""
+
+
+class Replay(IntFlag):
+    """How a recording is played again."""
+
+    FIELDS = 0x1
+    """Recorded fields are compared as well. Without it, the world may sense otherwise. Experimental."""
+
+    JOINTS = 0x2
+    """Joints are put where they were, instead of steps. Works with any version. Experimental."""
 
 
 class Shape(IntEnum):
@@ -885,3 +903,7 @@ asking. For poses, positions, orientations, centres of mass and velocities, and 
 
 HEADLIGHT = -1
 """The light that every camera carries. Experimental."""
+
+
+AS_RECORDED = 0x40000000
+"""Of a sense for mimo_recording_env: infants have it as they had it. Experimental."""

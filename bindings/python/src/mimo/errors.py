@@ -55,7 +55,7 @@ class ForkedError(Error, RuntimeError):
 
 
 class FileError(Error, OSError):
-    """A file cannot be written, or has the wrong content."""
+    """A file cannot be written, or a file or state is damaged or something else."""
 
 
 class TaskError(Error, RuntimeError):
@@ -64,6 +64,14 @@ class TaskError(Error, RuntimeError):
 
 class BusyError(Error, RuntimeError):
     """Another thread is using this object, or another call has to come first; nothing was changed."""
+
+
+class MismatchError(Error, ValueError):
+    """A state or recording is of another model, age, task or kind of agents."""
+
+
+class EndError(Error, EOFError):
+    """A recording has no further step."""
 
 
 class InternalError(Error, RuntimeError):
@@ -86,6 +94,8 @@ BY_STATUS: Dict[int, Type[Error]] = {
     Status.FILE: FileError,
     Status.TASK: TaskError,
     Status.BUSY: BusyError,
+    Status.MISMATCH: MismatchError,
+    Status.END: EndError,
 }
 
 

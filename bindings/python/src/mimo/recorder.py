@@ -14,7 +14,7 @@ from ._hdf5 import with_hdf5
 from ._library import LIB, check, defaults, utf8
 from .option_types import RecorderOptions
 from .options import fill
-from .recorded_world import configuration_of, inner_world
+from .recorded_world import inner_world
 
 
 class Recorder(Handle):
@@ -26,13 +26,11 @@ class Recorder(Handle):
     Other changes of the world between two steps are noticed, and a state is kept for replays. A full disk does not fail
     steps; flush and close raise the error. An existing recording is kept and raises FileError unless `replace` is true.
 
-    The default of `configuration` describes how the world was made, so that Recording.world can make it again; it is ""
-    for worlds with custom tasks.
+    The file holds the world too, except a custom task, so that Recording.world can make it again.
     """
 
     def __init__(self, world: Any, path: "Union[str, os.PathLike[str]]", **options: Unpack[RecorderOptions]) -> None:
         inner, config = inner_world(world), defaults(_abi.RecorderConfig)
-        options.setdefault("configuration", configuration_of(inner))
         fill(config, options, RecorderOptions)
         handle = ctypes.c_void_p()
 

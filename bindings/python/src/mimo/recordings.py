@@ -15,7 +15,8 @@ from ._hdf5 import with_hdf5
 from ._library import LIB, check, from_struct, text, utf8
 from .arguments import whole_number
 from .drawing import EYES
-from .recorded_world import inner_world, recorded_world
+from .constants import Replay
+from .recorded_world import inner_world, recorded_world, world_of_scene
 from .results import StepResult
 from .world import World
 
@@ -51,6 +52,8 @@ class Recording(Handle):
     this_build: str
     configuration: str
     seed: int
+    library: str  # its version; "" in recordings of format version 1 and 2
+    mujoco: str  # likewise
 
     def __init__(self, path: "Union[str, os.PathLike[str]]", hdf5: Optional[str] = None) -> None:
         self._have(path=os.fspath(path))
@@ -74,6 +77,8 @@ class Recording(Handle):
             this_build=text(info.this_build),
             configuration=text(info.configuration),
             seed=int(info.seed),
+            library=text(info.library),
+            mujoco=text(info.mujoco),
         )
 
     def read(self, dataset: str, dtype: Type[np.generic], first: int = 0, rows: Optional[int] = None) -> NDArray[Any]:
@@ -89,20 +94,27 @@ class Recording(Handle):
         return values
 
     def world(self, eyes: int = EYES, scene: Optional[str] = None) -> World:
-        """Makes the recorded world, with touch, its ears, and eyes of `eyes` x `eyes` pixels; 0: no eyes.
+        """Makes the recorded world from the file, with touch, and eyes of `eyes` x `eyes` pixels; 0: no eyes.
 
-        A recording without a configuration needs the name or the file of its `scene`.
+        A custom task is not in the file: the world gets one that does nothing, and a replay returns the recorded
+        rewards. Recordings of format version 1 and 2 hold no world and need the name or the file of their `scene`.
         """
-        return recorded_world(self.path, self.configuration, eyes, scene)
+        if self.library == "" and scene is not None:
+            return world_of_scene(scene, eyes)
+        if scene is not None:
+            raise ValueError(f"scene is {scene!r}, but {self.path} holds its world itself")
+        return recorded_world(self._handle, self.path, eyes)
 
-    def seek(self, world: Any, step: int = 0, compare_fields: bool = True) -> int:
+    def seek(self, world: Any, step: int = 0, compare_fields: bool = True, joints: bool = False) -> int:
         """Loads the last kept state that is not later than a step; returns that state's step.
 
         Infants get their recorded age. With `compare_fields=False` the world's senses may differ from the recording.
+        With `joints=True` no state is loaded, and steps set the recorded joints, which works with any version.
         """
         inner, at = inner_world(world), ctypes.c_size_t()
         number = whole_number("step", step)
-        check(LIB.mimo_recording_seek(self._handle, inner._handle, number, int(compare_fields), at))
+        how = (Replay.FIELDS if compare_fields else 0) | (Replay.JOINTS if joints else 0)
+        check(LIB.mimo_recording_seek(self._handle, inner._handle, number, how, at))
         self._look(inner)
         return int(at.value)
 

@@ -65,7 +65,7 @@ pub const MIMO_E_FORKED: i32 = -11;
 /// A defect in libmimo; please report the message.
 pub const MIMO_E_INTERNAL: i32 = -12;
 
-/// A file cannot be written, or has the wrong content.
+/// A file cannot be written, or a file or state is damaged or something else.
 pub const MIMO_E_FILE: i32 = -13;
 
 /// A custom task failed or returned invalid values; see mimo_env_step.
@@ -73,6 +73,12 @@ pub const MIMO_E_TASK: i32 = -14;
 
 /// Not now: another thread uses the handle, or another call has to come first.
 pub const MIMO_E_BUSY: i32 = -15;
+
+/// A state or recording is of another model, age, task or kind of agents.
+pub const MIMO_E_MISMATCH: i32 = -16;
+
+/// A recording has no further step.
+pub const MIMO_E_END: i32 = -17;
 
 /// Something is probably not as the user intended.
 pub const MIMO_LOG_WARNING: i32 = 1;
@@ -851,6 +857,21 @@ pub const MIMO_WARNING: i32 = 14;
 ///
 /// Experimental.
 pub const MIMO_WARNING_STEPS: i32 = 3585;
+
+/// Recorded fields are compared as well. Without it, the world may sense otherwise.
+///
+/// Experimental.
+pub const MIMO_REPLAY_FIELDS: u32 = 1;
+
+/// Joints are put where they were, instead of steps. Works with any version.
+///
+/// Experimental.
+pub const MIMO_REPLAY_JOINTS: u32 = 2;
+
+/// Of a sense for mimo_recording_env: infants have it as they had it.
+///
+/// Experimental.
+pub const MIMO_AS_RECORDED: u32 = 1073741824;
 
 /// Result of a call: MIMO_OK or one of the negative MIMO_E_ constants.
 pub type mimo_status = i32;
@@ -2081,6 +2102,10 @@ pub struct mimo_recording_info {
     pub configuration: *const c_char,
     /// As a decimal number.
     pub seed: *const c_char,
+    /// Version of the library that recorded; "" before format version 3.
+    pub library: *const c_char,
+    /// Version of its MuJoCo; "" before format version 3.
+    pub mujoco: *const c_char,
 }
 
 /// What a replay has shown so far.
@@ -2686,8 +2711,9 @@ extern "C" {
     /// may differ. Poses and velocities of bodies are then those of the state; contacts, sensors and forces are 0
     /// until the next step or mimo_env_observe. A failed world becomes usable again.
     ///
-    /// Errors: MIMO_E_INVALID_ARGUMENT for a state of something else, a damaged one, or one that was cut short,
-    /// MIMO_E_UNSUPPORTED for one of a newer library; the world then stays as it is.
+    /// Errors: MIMO_E_MISMATCH for a state of another model, age, task, actuation or agents; MIMO_E_FILE for one that
+    /// is damaged, was cut short, or is no state; MIMO_E_UNSUPPORTED for one of a newer library; the world then stays
+    /// as it is.
     ///
     /// * `state_bytes`: the exact size of the state: mimo_env_state_size of the world that saved it.
     ///
@@ -3219,6 +3245,27 @@ extern "C" {
     /// * `recording`: receives the handle; destroy it with mimo_recording_destroy.
     pub fn mimo_recording_open(path: *const c_char, hdf5: *const c_char, recording: *mut *mut mimo_recording) -> mimo_status;
 
+    /// Makes the world of a recording anew, out of the file alone: its scene with all files, agents, task and
+    /// parameters. Its infants are of the first age that was recorded; a replay, or a reset, gives them any age that
+    /// was recorded. What cannot be in a file is a task of your own (mimo_scene_set_task): the world then has one that
+    /// does nothing, and a replay in it gives the recorded results. The scene is checked as any other one, with the
+    /// default limits.
+    ///
+    /// Errors: MIMO_E_UNSUPPORTED for a recording of format version 1 or 2, which holds no world; as mimo_env_create;
+    /// MIMO_E_FILE for a file that is damaged.
+    ///
+    /// Experimental.
+    ///
+    /// * `config`: NULL means as recorded. Else the renderer, its settings, the log, timing and contacts of steps are
+    /// those of this config, whose other members are as mimo_env_config_init leaves them.
+    ///
+    /// * `senses`: NULL means as recorded. Else what each infant senses: proprioception, vestibular, vision, touch and
+    /// hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED.
+    ///
+    /// * `env`: receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays
+    /// open where infants had several ages.
+    pub fn mimo_recording_env(recording: *const mimo_recording, config: *const mimo_env_config, senses: *const mimo_agent_config, env: *mut *mut mimo_env) -> mimo_status;
+
     /// Closes a recording. NULL and destroyed handles are ignored.
     ///
     /// Experimental.
@@ -3255,23 +3302,29 @@ extern "C" {
     /// state that is not later than a step. Its infants become as old as they were. What was compared before is
     /// forgotten.
     ///
-    /// Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then
-    /// stays as it is; as mimo_env_state_load, and then the world has been reset.
+    /// Where the model is another one (after changes of the library, with another MuJoCo), states do not fit it. With
+    /// MIMO_REPLAY_JOINTS none is loaded: positions and velocities of the joints are set, and what is sensed of them
+    /// is as of mimo_env_observe. Senses with a memory (receptors, hearing, delays) then remember nothing; results are
+    /// the recorded ones.
+    ///
+    /// Errors: MIMO_E_MISMATCH for a world with other joints, actions, agents or time of a step, which then stays as
+    /// it is, and for one of another model, which has been reset; the message has both models' hashes and versions; as
+    /// mimo_env_state_load, and then the world has been reset.
     ///
     /// Experimental.
     ///
     /// * `step`: 0 to the recording's steps.
     ///
-    /// * `compare_fields`: 1: recorded fields are compared as well; 0: the world senses otherwise.
+    /// * `how`: MIMO_REPLAY_ bits.
     ///
     /// * `at`: receives the state's own step, from which the replay goes on; may be NULL.
-    pub fn mimo_recording_seek(recording: *mut mimo_recording, env: *mut mimo_env, step: usize, compare_fields: u32, at: *mut usize) -> mimo_status;
+    pub fn mimo_recording_seek(recording: *mut mimo_recording, env: *mut mimo_env, step: usize, how: u32, at: *mut usize) -> mimo_status;
 
     /// Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had
     /// changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for
     /// bit. Between two calls the world may be looked at, not changed.
     ///
-    /// Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
+    /// Errors: MIMO_E_END behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
     /// MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
     ///
     /// Experimental.

@@ -31,12 +31,16 @@ values! {
     FORKED = MIMO_E_FORKED,
     /// A defect in libmimo; please report the message.
     INTERNAL = MIMO_E_INTERNAL,
-    /// A file cannot be written, or has the wrong content.
+    /// A file cannot be written, or a file or state is damaged or something else.
     FILE = MIMO_E_FILE,
     /// A custom task failed or returned invalid values; see [`mimo_env_step`](crate::sys::mimo_env_step).
     TASK = MIMO_E_TASK,
     /// Not now: another thread uses the handle, or another call has to come first.
     BUSY = MIMO_E_BUSY,
+    /// A state or recording is of another model, age, task or kind of agents.
+    MISMATCH = MIMO_E_MISMATCH,
+    /// A recording has no further step.
+    END = MIMO_E_END,
 }
 
 values! {
@@ -83,6 +87,19 @@ values! {
     ///
     /// Experimental.
     NOT_CONVERGED = MIMO_WARNING_NOT_CONVERGED,
+}
+
+flags! {
+    /// How a recording is played again.
+    Replay: u32
+    /// Recorded fields are compared as well. Without it, the world may sense otherwise.
+    ///
+    /// Experimental.
+    FIELDS = MIMO_REPLAY_FIELDS,
+    /// Joints are put where they were, instead of steps. Works with any version.
+    ///
+    /// Experimental.
+    JOINTS = MIMO_REPLAY_JOINTS,
 }
 
 values! {

@@ -45,7 +45,7 @@ impl Env {
         Ok(Env::own(handle, self.log.clone(), self.task.clone()))
     }
 
-    fn own(handle: *mut sys::mimo_env, log: Option<Log>, task: Option<Shared>) -> Env {
+    pub(crate) fn own(handle: *mut sys::mimo_env, log: Option<Log>, task: Option<Shared>) -> Env {
         Env { handle: NonNull::new(handle).expect("a handle"), log, task }
     }
 }

@@ -1,6 +1,8 @@
 //! Recordings of runs in HDF5 files, and their replay.
 use crate::block::{memory, Block};
-use crate::configs::RecorderConfig;
+use crate::configs::{AgentConfig, EnvConfig, RecorderConfig};
+use crate::constants::Replay;
+use crate::env::Env;
 use crate::error::{c_string, check, Result};
 use crate::records::{RecordingInfo, ReplayReport};
 use crate::results::Step;
@@ -69,7 +71,7 @@ pub trait Recorded: Copy + Default + private::Sealed {}
 macro_rules! recorded {
     ($($number:ty)*) => { $(impl private::Sealed for $number {} impl Recorded for $number {})* };
 }
-recorded!(u8 i32 i64 f32 f64);
+recorded!(u8 i32 i64 u64 f32 f64);
 mod private {
     pub trait Sealed {}
 }
@@ -116,13 +118,27 @@ impl Recording {
         Ok(values)
     }
 
-    /// Loads the last kept state that is not later than a step, and returns that state's step. Without
-    /// `compare_fields` the world's senses may differ from the recorded ones. Infants get their recorded age.
-    pub fn seek(&mut self, world: &mut World, step: usize, compare_fields: bool) -> Result<usize> {
-        let mut at = 0;
-        check(unsafe {
-            sys::mimo_recording_seek(self.handle(), world.handle(), step, compare_fields.into(), &mut at)
+    /// Makes the recorded world from the file alone. A custom task is not in the file: the world gets one that does
+    /// nothing, and a replay returns the recorded results. `senses`: what each infant senses, where a sense may be
+    /// `sys::MIMO_AS_RECORDED`; None: as recorded.
+    pub fn env(&self, config: &EnvConfig, senses: Option<&AgentConfig>) -> Result<Env> {
+        let mut handle = null_mut();
+        let make = |config, senses, env| {
+            check(unsafe { sys::mimo_recording_env(self.handle(), config, senses, env) })
+        };
+        config.with_raw(|config| match senses {
+            Some(senses) => senses.with_raw(|senses| make(config, senses, &mut handle)),
+            None => make(config, null(), &mut handle),
         })?;
+        Ok(Env::own(handle, config.log.clone(), None))
+    }
+
+    /// Loads the last kept state that is not later than a step, and returns that state's step. Without
+    /// `Replay::FIELDS` the world's senses may differ from the recorded ones; with `Replay::JOINTS` steps set the
+    /// recorded joints, which works with any version. Infants get their recorded age.
+    pub fn seek(&mut self, world: &mut World, step: usize, how: Replay) -> Result<usize> {
+        let mut at = 0;
+        check(unsafe { sys::mimo_recording_seek(self.handle(), world.handle(), step, how.raw(), &mut at) })?;
         Ok(at)
     }
 

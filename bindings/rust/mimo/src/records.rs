@@ -280,11 +280,15 @@ pub struct RecordingInfo {
     pub configuration: String,
     /// As a decimal number.
     pub seed: String,
+    /// Version of the library that recorded; "" before format version 3.
+    pub library: String,
+    /// Version of its MuJoCo; "" before format version 3.
+    pub mujoco: String,
 }
 
 impl RecordingInfo {
     pub(crate) fn of(raw: &sys::mimo_recording_info) -> RecordingInfo {
-        RecordingInfo { format_version: raw.format_version, same_build: raw.same_build == 1, steps: raw.steps, states: raw.states, actions: raw.actions, agents: raw.agents, bodies: raw.bodies, step_seconds: raw.step_seconds, build: text(raw.build), this_build: text(raw.this_build), configuration: text(raw.configuration), seed: text(raw.seed) }
+        RecordingInfo { format_version: raw.format_version, same_build: raw.same_build == 1, steps: raw.steps, states: raw.states, actions: raw.actions, agents: raw.agents, bodies: raw.bodies, step_seconds: raw.step_seconds, build: text(raw.build), this_build: text(raw.this_build), configuration: text(raw.configuration), seed: text(raw.seed), library: text(raw.library), mujoco: text(raw.mujoco) }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Recordings, and their replay bit for bit.
 use mimo::{
-    Env, EnvConfig, Growth, Hearing, Recorder, RecorderConfig, Recording, Reset, Scene, Status, Touch, Vision,
+    Env, EnvConfig, Growth, Hearing, Recorder, RecorderConfig, Recording, Replay, Reset, Scene, Status,
+    Touch, Vision,
 };
 
 fn path(name: &str) -> String {
@@ -53,10 +54,13 @@ fn a_run_is_replayed() {
         (10, 2, "{}", "7")
     );
     assert!(info.same_build);
-    assert_eq!(recording.seek(&mut twin, 0, true).unwrap(), 0);
+    assert_eq!(recording.seek(&mut twin, 0, Replay::FIELDS).unwrap(), 0);
     assert_eq!(recording.step(&mut twin, None).unwrap().reward, 0.0);
     let report = recording.play(&mut twin).unwrap();
     assert!(report.identical && report.steps == 10 && report.differs_most_in.is_empty(), "{:?}", report);
+    let mut alone = recording.env(&EnvConfig::new().unwrap(), None).unwrap();
+    recording.seek(&mut alone, 0, Replay::FIELDS).unwrap();
+    assert!(recording.play(&mut alone).unwrap().identical);
     assert_eq!(recording.size("fields/hearing/ear_left").unwrap(), (10, 640));
     let heard: Vec<f32> = recording.read("fields/hearing/ear_left", 0, 10).unwrap();
     assert!(heard[..800].iter().any(|pressure| pressure.abs() > 0.05)); // 0.1 Pa at 1 m
