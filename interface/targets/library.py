@@ -11,6 +11,7 @@ def files(api):
         "src/capi/names.cpp": names(api),
         "src/capi/first_sizes.h": first_sizes(api),
         "src/capi/members.h": members(api),
+        "src/base/header.h": header(api),
     }
 
 
@@ -110,3 +111,28 @@ def plain_members(api, struct):
             yield member.name
         elif not kind.endswith("*") and kind not in callbacks:
             raise ValueError(f"{struct.name}.{member.name} is of type {member.type}, which recordings cannot keep")
+
+
+def header(api):
+    """What rooms check their tables against: the bits of each set of flags, and the numbers of quantities."""
+    text = f"""// {NOTE}
+// All that the header has of what is listed again in tables of the rooms, so that a row that is missing cannot compile.
+#pragma once
+
+#include <cstdint>
+
+#include "mimo/experimental.h"
+
+namespace mimo::header {{
+
+"""
+    for enum in api.enums:
+        if enum.kind == "flags":
+            bits = 0
+            for name in enum.constants:
+                bits |= 0 if name.endswith(("_ALL", "_NONE")) else api.constant(name).value
+            text += f"constexpr std::uint32_t k{enum.name} = {bits:#x};\n"
+    numbers = sorted(api.enum("Quantity").constants, key=lambda name: api.constant(name).value)
+    text += "\nconstexpr mimo_quantity kQuantities[] = {\n"
+    text += "".join(f"    {name},\n" for name in numbers)
+    return text + "};\n\n}  // namespace mimo::header\n"

@@ -7,6 +7,7 @@
 #include "actuation/muscle.h"
 #include "actuation/position.h"
 #include "actuation/torque.h"
+#include "base/bits.h"
 #include "base/fail.h"
 
 namespace mimo::actuation {
@@ -38,10 +39,10 @@ void Actuation::apply(Span<const float> actions, engine::Physics& physics) {
   }
 }
 
-Feedback Actuation::feedback(const mjModel& model, const body::Body& body, const Options& options) const {
+Feedback Actuation::feedback(const mjModel& model, const body::Body& body, std::uint32_t felt) const {
   Feedback feedback;
-  if (options.felt) feedback = feel(model, body);
-  if (!options.effort) return feedback;
+  if (has_bit(felt, MIMO_PROPRIOCEPTION_ACTUATION)) feedback = feel(model, body);
+  if (!has_bit(felt, MIMO_PROPRIOCEPTION_EFFORT)) return feedback;
   observation::Field field;
   field.name = "proprioception/effort";
   field.shape = {1};

@@ -9,11 +9,17 @@
 #include "base/bytes.h"
 #include "base/span.h"
 #include "body/body.h"
+#include "mimo/agent.h"
 
 namespace mimo::actuation {
 
-// As mimo.h numbers them (MIMO_ACTUATION_...).
-enum class Mode : int { kTorque = 0, kPosition = 1, kMuscle = 2, kMujocoMuscle = 3 };
+// Of the header.
+enum class Mode : std::int32_t {
+  kTorque = MIMO_ACTUATION_TORQUE,
+  kPosition = MIMO_ACTUATION_POSITION,
+  kMuscle = MIMO_ACTUATION_MUSCLE,
+  kMujocoMuscle = MIMO_ACTUATION_MUJOCO_MUSCLE,
+};
 
 inline bool is_muscle(Mode mode) { return mode == Mode::kMuscle || mode == Mode::kMujocoMuscle; }
 
@@ -21,8 +27,6 @@ struct Options {
   Mode mode = Mode::kTorque;
   bool normalize = false;  // actions from -1 to 1 are mapped to the bounds, linearly
   bool none = false;       // the agent leaves its actuators to others
-  bool felt = true;        // the agent senses its commands
-  bool effort = false;     // and what they cost
 };
 
 class Actuation {
@@ -61,7 +65,7 @@ class Actuation {
   // What the present commands cost, 0 to 1: their squares, weighted by the strength of the motors.
   virtual double effort(const mjModel& model, const mjData& data) const = 0;
   // What the options want the agent to feel of its commands. This object outlives it.
-  Feedback feedback(const mjModel& model, const body::Body& body, const Options& options) const;
+  Feedback feedback(const mjModel& model, const body::Body& body, std::uint32_t felt) const;
 
   // What it remembers beside the physics: always the same number of bytes. A load that throws may leave it half
   // loaded; the world then loads what was there before.

@@ -21,4 +21,10 @@ void require(bool condition, fmt::format_string<Args...> format, Args&&... args)
   if (!condition) fail_formatted(Status::kInvalidArgument, format, fmt::make_format_args(args...));
 }
 
+// A number that is out of its range, or no number. `unit` is told behind the range, as " seconds".
+template <typename T>
+void require_between(T value, T low, T high, const char* argument, const char* unit = "") {
+  require(value >= low && value <= high, "{} is {}, expected {} to {}{}", argument, value, low, high, unit);
+}
+
 }  // namespace mimo

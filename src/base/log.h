@@ -7,10 +7,11 @@
 #include <string>
 
 #include "base/floats.h"
+#include "mimo/log.h"
 
 namespace mimo {
 
-enum class LogLevel : std::int32_t { kWarning = 1, kInfo = 2 };
+enum class LogLevel : std::int32_t { kWarning = MIMO_LOG_WARNING, kInfo = MIMO_LOG_INFO };
 
 struct LogRecord {
   LogLevel level;

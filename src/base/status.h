@@ -6,28 +6,30 @@
 #include <string>
 #include <utility>
 
+#include "mimo/status.h"
+
 namespace mimo {
 
-// The numbers are those of mimo.h (asserted in src/capi/enums.cpp).
-enum class Status : std::int32_t {
-  kOk = 0,
-  kInvalidArgument = -1,
-  kBadHandle = -2,
-  kBufferTooSmall = -3,
-  kStructSize = -4,
-  kNotFound = -5,
-  kModel = -6,
-  kSimulation = -7,
-  kRender = -8,
-  kUnsupported = -9,
-  kOutOfMemory = -10,
-  kForked = -11,
-  kInternal = -12,
-  kFile = -13,
-  kTask = -14,
-  kBusy = -15,
-  kMismatch = -16,
-  kEnd = -17,
+// Of the header.
+enum class Status : mimo_status {
+  kOk = MIMO_OK,
+  kInvalidArgument = MIMO_E_INVALID_ARGUMENT,
+  kBadHandle = MIMO_E_BAD_HANDLE,
+  kBufferTooSmall = MIMO_E_BUFFER_TOO_SMALL,
+  kStructSize = MIMO_E_STRUCT_SIZE,
+  kNotFound = MIMO_E_NOT_FOUND,
+  kModel = MIMO_E_MODEL,
+  kSimulation = MIMO_E_SIMULATION,
+  kRender = MIMO_E_RENDER,
+  kUnsupported = MIMO_E_UNSUPPORTED,
+  kOutOfMemory = MIMO_E_OUT_OF_MEMORY,
+  kForked = MIMO_E_FORKED,
+  kInternal = MIMO_E_INTERNAL,
+  kFile = MIMO_E_FILE,
+  kTask = MIMO_E_TASK,
+  kBusy = MIMO_E_BUSY,
+  kMismatch = MIMO_E_MISMATCH,
+  kEnd = MIMO_E_END,
 };
 
 class Error : public std::exception {

@@ -5,11 +5,16 @@
 #include <cstdint>
 
 #include "base/status.h"
+#include "mimo/batch.h"
 
 namespace mimo::batch {
 
-// As mimo.h numbers them (MIMO_AUTORESET_...).
-enum class Autoreset : int { kNone = 0, kNextStep = 1, kSameStep = 2 };
+// Of the header.
+enum class Autoreset : std::int32_t {
+  kNone = MIMO_AUTORESET_NONE,
+  kNextStep = MIMO_AUTORESET_NEXT_STEP,
+  kSameStep = MIMO_AUTORESET_SAME_STEP,
+};
 
 struct Options {
   std::size_t worlds = 1;

@@ -29,25 +29,6 @@ void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
   scene.add_body(plan.body, prefix, plan.place ? &place.pose : nullptr, plan.acts, place.anchor);
 }
 
-void drop_senses(env::AgentOptions& options, const scene::Senses& kept) {
-  if (!kept.proprioception) {
-    senses::ProprioceptionOptions& felt = options.proprioception;
-    felt.position = felt.velocity = felt.torque = felt.limit = felt.joint_torque = false;
-    felt.receptors = {};
-    options.actuation.felt = options.actuation.effort = false;
-  }
-  if (!kept.vestibular) {
-    options.vestibular.acceleration = options.vestibular.angular_velocity = false;
-    options.vestibular.labyrinth = {};
-  }
-  if (!kept.vision) options.vision.rgb = options.vision.depth = options.vision.segmentation = false;
-  if (!kept.touch) {
-    senses::TouchOptions& touch = options.touch;
-    touch.force = touch.normal_force = touch.slip = touch.friction_use = false;
-    touch.receptors = {};
-  }
-}
-
 // Whether there is such a body; of what is no infant only the compiled model can tell.
 void require_part(const env::AgentOptions& options, const std::string& body, const scene::Scene& scene) {
   const std::vector<std::string> names = scene.body_names(options.prefix());
@@ -58,15 +39,6 @@ void require_part(const env::AgentOptions& options, const std::string& body, con
 }
 
 }  // namespace
-
-AgentPlan usual_agent(const scene::Scene& scene) {
-  const scene::UsualInfant usual = scene.usual_infant();
-  AgentPlan plan;
-  plan.body = usual.body;
-  if (usual.muscles) plan.options.actuation.mode = actuation::Mode::kMuscle;
-  drop_senses(plan.options, usual.senses);
-  return plan;
-}
 
 env::AgentOptions& Agents::at(std::size_t agent) {
   const std::size_t count = agents_.size();

@@ -10,17 +10,16 @@
 
 namespace mimo::blueprint {
 
+constexpr const char* kUsualBody = "mitten";
+
 // An agent as it is asked for.
 struct AgentPlan {
   env::AgentOptions options;
-  std::string body = "mitten";           // "scene": the document brings it along
+  std::string body = kUsualBody;         // "scene": the document brings it along
   std::optional<document::Place> place;  // nothing: the scene's own
   unsigned acts = 0;                     // scene::Group bits; 0: the scene's own choice
   std::optional<growth::Growth> growth;  // nothing: 18 months
 };
-
-// An infant as the scene usually has it.
-AgentPlan usual_agent(const scene::Scene& scene);
 
 // Those that a world is made with.
 class Agents {

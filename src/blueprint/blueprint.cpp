@@ -50,12 +50,4 @@ env::CompiledWorld around(const SceneEdit& edit, engine::ModelPtr model, const e
   return compiled;
 }
 
-Blueprint ready_world(const std::string& scene) {
-  scene::Source source;
-  source.name = scene;
-  Blueprint blueprint(source);
-  blueprint.edit([](SceneEdit& edit) { edit.add_agents(usual_agent(edit.scene)); });
-  return blueprint;
-}
-
 }  // namespace mimo::blueprint

@@ -18,15 +18,15 @@ namespace mimo::blueprint {
 // What is edited: a scene and all that its worlds are to have.
 struct SceneEdit {
   scene::Scene scene;
-  Agents agents;
-  Cameras cameras;
-  Fields fields;
-  tasks::Settings parameters;
-  env::CustomTask task;                   // the user's own; empty: the scene's
-  double room_temperature = 24;           // degrees Celsius
-  std::vector<env::ThingOptions> things;  // how they feel and sound
-  senses::PlayOptions play;               // how much can be played
-  std::vector<std::string> calls;         // that made all of it but the scene, as recordings keep them
+  Agents agents{};
+  Cameras cameras{};
+  Fields fields{};
+  tasks::Settings parameters{};
+  env::CustomTask task{};                           // the user's own; empty: the scene's
+  double room_temperature = env::kRoomTemperature;  // degrees Celsius
+  std::vector<env::ThingOptions> things{};          // how they feel and sound
+  senses::PlayOptions play{};                       // how much can be played
+  std::vector<std::string> calls{};                 // that made all of it but the scene, as recordings keep them
 
   std::size_t add_agent(const AgentPlan& plan) { return agents.add(plan, scene); }
   std::size_t add_agents(const AgentPlan& plan) { return agents.add_all(plan, scene); }
@@ -46,8 +46,7 @@ env::CompiledWorld around(const SceneEdit& edit, engine::ModelPtr model, const e
 
 class Blueprint {
  public:
-  explicit Blueprint(const scene::Source& source)
-      : current_{scene::Scene(source), {}, {}, {}, {}, {}, 24, {}, {}, {}}, log_(source.log) {}
+  explicit Blueprint(const scene::Source& source) : current_{scene::Scene(source)}, log_(source.log) {}
 
   // Of its last edit.
   const SceneEdit& current() const { return current_; }
@@ -76,8 +75,5 @@ class Blueprint {
   SceneEdit current_;
   LogSink log_;
 };
-
-// A built-in scene with all its infants, everything as it usually is.
-Blueprint ready_world(const std::string& scene);
 
 }  // namespace mimo::blueprint

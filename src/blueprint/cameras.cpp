@@ -19,7 +19,7 @@ scene::Camera camera_of(const env::CameraOptions& options, const Stand& stand) {
 }  // namespace
 
 void Cameras::add(const CameraPlan& plan, scene::Scene& scene) {
-  require(plan.options.vision.any(), "outputs is 0, expected at least one of the MIMO_VISION_ bits");
+  require(plan.options.vision.wanted != 0, "outputs is 0, expected at least one of the MIMO_VISION_ bits");
   for (const env::CameraOptions& other : cameras_) {
     require(other.camera != plan.options.camera, "name: camera \"{}\" is observed already", other.camera);
   }

@@ -129,7 +129,7 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
     mimo_env*& result = out(env, "env");
     require(scene_name != nullptr, "scene_name is NULL");
     require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
-    blueprint::Blueprint ready = blueprint::ready_world(scene_name);
+    blueprint::Blueprint ready = ready_world(scene_name);
     const mimo_agent_config usual = default_agent_config(ready.current().scene);
     ready.edit([&](blueprint::SceneEdit& edit) { note(edit, call_of_agents("add_agents", usual)); });
     result = make_env(ready, default_env_config());

@@ -17,7 +17,7 @@ namespace mimo::capi {
 namespace {
 
 geometry::Conversion conversion(std::int32_t axes, const char* argument) {
-  check_choice(axes, 0, geometry::kLastAxes, argument);
+  check_choice(axes, 0, MIMO_AXES_GLTF, argument);
   return geometry::Conversion(static_cast<geometry::Axes>(axes));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "base/header.h"
 #include "capi/check.h"
 #include "mimo/experimental.h"
 #include "senses/vision.h"
@@ -20,8 +21,7 @@ struct Entry {
 
 inline void check_view(Entry<std::uint32_t> width, Entry<std::uint32_t> height, Entry<double> fovy) {
   for (const Entry<std::uint32_t>& size : {width, height}) {
-    require(size.value >= 1 && size.value <= kLargestPicture, "{} is {}, expected 1 to {}", size.name, size.value,
-            kLargestPicture);
+    require_between(size.value, 1U, kLargestPicture, size.name);
   }
   require(fovy.value == 0 || (fovy.value >= 1 && fovy.value <= 170),
           "{} is {}, expected 1 to 170 degrees, or 0 for the camera's own", fovy.name, fovy.value);
@@ -35,12 +35,10 @@ inline double foveation(double strength, const char* name) {
 
 inline senses::VisionOptions vision(Entry<std::uint32_t> outputs, Entry<std::uint32_t> width,
                                     Entry<std::uint32_t> height, Entry<double> fovy) {
-  check_bits(outputs.value, MIMO_VISION_RGB | MIMO_VISION_DEPTH | MIMO_VISION_SEGMENTATION, outputs.name);
+  check_bits(outputs.value, header::kVision, outputs.name);
   senses::VisionOptions options;
-  options.rgb = (outputs.value & MIMO_VISION_RGB) != 0;
-  options.depth = (outputs.value & MIMO_VISION_DEPTH) != 0;
-  options.segmentation = (outputs.value & MIMO_VISION_SEGMENTATION) != 0;
-  if (!options.any()) return options;
+  options.wanted = outputs.value;
+  if (options.wanted == 0) return options;
   check_view(width, height, fovy);
   options.width = static_cast<int>(width.value);
   options.height = static_cast<int>(height.value);

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <pugixml.hpp>
+
+#include "mimo/agent.h"
 
 namespace mimo::document {
 
@@ -14,10 +17,10 @@ struct Pose {
 };
 
 // Which point of an infant, as it starts, lies at its place.
-enum class Anchor : int {
-  kRoot = 1,    // the origin of its root body
-  kSoles = 2,   // between its feet, at the height of the lowest point of them
-  kLowest = 3,  // below its root body, at the height of its lowest point
+enum class Anchor : std::int32_t {
+  kRoot = MIMO_PLACE_ROOT,      // the origin of its root body
+  kSoles = MIMO_PLACE_SOLES,    // between its feet, at the height of the lowest point of them
+  kLowest = MIMO_PLACE_LOWEST,  // below its root body, at the height of its lowest point
 };
 
 struct Place {

@@ -9,6 +9,7 @@
 
 #include "base/log.h"
 #include "base/span.h"
+#include "mimo/access.h"
 
 namespace mimo::engine {
 
@@ -30,8 +31,17 @@ void enable_contacts(const mjModel& model);
 // The version of MuJoCo that this was compiled for, as "2.2.2".
 std::string compiled_version();
 
-// Kinds of model elements, as mimo.h numbers them (MIMO_BODY ...).
-enum class Kind : int { kBody = 1, kJoint, kGeom, kSite, kCamera, kActuator, kSensor, kLight };
+// Kinds of model elements, of the header.
+enum class Kind : mimo_kind {
+  kBody = MIMO_BODY,
+  kJoint = MIMO_JOINT,
+  kGeom = MIMO_GEOM,
+  kSite = MIMO_SITE,
+  kCamera = MIMO_CAMERA,
+  kActuator = MIMO_ACTUATOR,
+  kSensor = MIMO_SENSOR,
+  kLight = MIMO_LIGHT,
+};
 
 mjtObj object_type(Kind kind);
 int count(const mjModel& model, Kind kind);

@@ -16,10 +16,16 @@
 #include "engine/model.h"
 #include "engine/overrides.h"
 #include "engine/warnings.h"
+#include "mimo/experimental/engine.h"
 
 namespace mimo::engine {
 
-enum class Jacobian { kModel = 0, kDense = 1, kSparse = 2 };
+// Of the header.
+enum class Jacobian : std::int32_t {
+  kModel = MIMO_JACOBIAN_MODEL,
+  kDense = MIMO_JACOBIAN_DENSE,
+  kSparse = MIMO_JACOBIAN_SPARSE,
+};
 
 struct PhysicsOptions {
   Jacobian jacobian = Jacobian::kModel;

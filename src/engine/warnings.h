@@ -8,21 +8,23 @@
 #include <cstdint>
 #include <string>
 
+#include "mimo/experimental/engine.h"
+
 namespace mimo::engine {
 
-// As mimo.h numbers them (MIMO_WARNING_...).
+// Of the header; 0 is any other.
 enum class Warning : int {
   kOther,
-  kContactsDropped,
-  kConstraintsDropped,
-  kBadPosition,
-  kBadVelocity,
-  kBadAcceleration,
-  kBadControl,
-  kInertia,
-  kNotConverged,
+  kContactsDropped = MIMO_WARNING_CONTACTS_DROPPED,
+  kConstraintsDropped = MIMO_WARNING_CONSTRAINTS_DROPPED,
+  kBadPosition = MIMO_WARNING_BAD_POSITION,
+  kBadVelocity = MIMO_WARNING_BAD_VELOCITY,
+  kBadAcceleration = MIMO_WARNING_BAD_ACCELERATION,
+  kBadControl = MIMO_WARNING_BAD_CONTROL,
+  kInertia = MIMO_WARNING_INERTIA,
+  kNotConverged = MIMO_WARNING_NOT_CONVERGED,
 };
-constexpr int kWarnings = 9;
+constexpr int kWarnings = MIMO_WARNING_NOT_CONVERGED + 1;
 
 using WarningCounts = std::array<std::uint64_t, kWarnings>;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/bits.h"
 #include "base/fail.h"
 #include "env/reflexes.h"
 #include "observation/signals.h"
@@ -17,7 +18,8 @@ bool knows_forces_between_bodies(const mjModel& model) {
 }
 
 void check_joint_torque(const mjModel& model, const AgentOptions& options) {
-  if (!options.proprioception.joint_torque || knows_forces_between_bodies(model)) return;
+  if (!has_bit(options.proprioception.wanted, MIMO_PROPRIOCEPTION_JOINT_TORQUE) || knows_forces_between_bodies(model))
+    return;
   fail(Status::kUnsupported,
        "proprioception: torque about the joints' axes needs a force, torque or accelerometer sensor somewhere in the "
        "model, for MuJoCo to compute the forces between its bodies");
@@ -39,8 +41,8 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
                  const TaskMaker& make_task, std::size_t number, render::Renderer* renderer, SkinPtr skin) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
-  Agent agent{
-      perceive(model, options, setting, renderer, std::move(skin)), options.name, {}, {}, nullptr, nullptr, nullptr};
+  Agent agent{perceive(model, options, setting, renderer, std::move(skin))};
+  agent.name = options.name;
   if (options.root.empty()) {
     const growth::Growth grown = options.growth.body ? options.growth : growth::Growth{};
     agent.age = Age{grown.age, grown.physiological_age};

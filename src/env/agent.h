@@ -25,12 +25,12 @@ struct Age {
 class Reflexes;
 
 struct Agent : Perception {
-  std::string name;
-  body::Faces faces;
+  std::string name{};
+  body::Faces faces{};
   actuation::Mode mode = actuation::Mode::kTorque;
-  std::unique_ptr<actuation::MotorPath> path;  // of its actions to its motors; null: nothing limits it
-  Reflexes* reflexes = nullptr;                // a process of one of its senses; null: it has none
-  std::unique_ptr<tasks::Task> task;
+  std::unique_ptr<actuation::MotorPath> path{};  // of its actions to its motors; null: nothing limits it
+  Reflexes* reflexes = nullptr;                  // a process of one of its senses; null: it has none
+  std::unique_ptr<tasks::Task> task{};
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;

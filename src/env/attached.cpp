@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bits.h"
 #include "base/fail.h"
 #include "engine/fingerprint.h"
 #include "env/nerves.h"
@@ -43,7 +44,8 @@ void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
   if (!options.motors.empty()) {
     fail(Status::kUnsupported, "limits of the paths to motors: with attached senses the host commands them");
   }
-  if (options.actuation.effort || actuation::is_muscle(options.actuation.mode)) {
+  if (has_bit(options.proprioception.wanted, MIMO_PROPRIOCEPTION_EFFORT) ||
+      actuation::is_muscle(options.actuation.mode)) {
     fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
   }
   if (options.voice) {

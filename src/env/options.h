@@ -31,7 +31,7 @@ struct Maturity {
 };
 
 struct ReflexOptions {
-  std::uint32_t wanted = 0;     // bits in the order of reflexes::Reflex
+  std::uint32_t wanted = 0;     // MIMO_REFLEX_ bits
   bool where_possible = false;  // of these, those that the body can do; else one that it cannot do is refused
   bool felt = false;            // reflex/activation has all that the body can do, whatever is wanted
 };
@@ -103,6 +103,7 @@ enum class RendererChoice { kAuto, kRay, kOsmesa, kGl, kNone };
 RendererChoice renderer_from(const std::string& name);
 
 constexpr int kMostFrameSkip = 1000;
+constexpr double kRoomTemperature = 24;  // degrees Celsius
 
 struct EnvOptions {
   int frame_skip = 0;  // up to kMostFrameSkip; 0: the scene's own
@@ -110,8 +111,8 @@ struct EnvOptions {
   RendererChoice renderer = RendererChoice::kAuto;
   render::Quality quality;
   std::vector<CameraOptions> cameras;
-  FurtherSense further_sense;        // empty: none
-  double room_temperature = 24;      // degrees Celsius
+  FurtherSense further_sense;  // empty: none
+  double room_temperature = kRoomTemperature;
   std::vector<ThingOptions> things;  // later ones count more
   senses::PlayOptions play;
   std::uint32_t max_steps = 0;  // 0: the task's own

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/bits.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "engine/flexes.h"
@@ -67,10 +68,12 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
   const auto add = [&](std::unique_ptr<observation::Sense> sense) { add_sense(agent, options, std::move(sense)); };
   agent.body = find(model, options);
   agent.actuation = actuation::make_actuation(model, agent.body, options.actuation);
-  actuation::Feedback feedback = agent.actuation->feedback(model, agent.body, options.actuation);
+  actuation::Feedback feedback = agent.actuation->feedback(model, agent.body, options.proprioception.wanted);
   if (options.voice) add_voice(agent, model, options, setting.soundscape);
-  if (options.proprioception.receptors.spindles()) agent.drives = senses::make_fusimotor_drives(model, agent.body);
-  if (options.proprioception.any() || options.actuation.felt) {
+  if (has_bit(options.proprioception.wanted, senses::kSpindles)) {
+    agent.drives = senses::make_fusimotor_drives(model, agent.body);
+  }
+  if (has_bit(options.proprioception.wanted, ~MIMO_PROPRIOCEPTION_EFFORT)) {
     add(senses::make_proprioception(
         model, chosen_joints(model, agent.body, options.joints), options.proprioception, std::move(feedback.commands),
         [actuation = agent.actuation.get()](const mjData& data, double* shares) {
@@ -78,22 +81,22 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
         },
         agent.drives, setting.tick));
   }
-  if (options.vestibular.any()) add(senses::make_vestibular(model, agent.body, options.vestibular, setting.tick));
-  if (options.touch.any()) {
+  if (options.vestibular.wanted != 0) add(senses::make_vestibular(model, agent.body, options.vestibular, setting.tick));
+  if (options.touch.wanted != 0) {
     engine::require_told_forces(model);
     agent.skin = skin != nullptr ? std::move(skin) : make_skin(model, agent.body, options.touch);
     add(std::make_unique<senses::Touch>(agent.skin, options.touch));
-    if (options.touch.receptors.any()) {
+    if (has_bit(options.touch.wanted, senses::kSkinNerves)) {
       add(senses::make_skin_sense(model, agent.body, agent.skin, options.touch, setting.things, setting.tick));
     }
   }
-  if (options.vision.any()) {
+  if (options.vision.wanted != 0) {
     if (renderer == nullptr) {
       fail(Status::kInvalidArgument, "renderer \"none\": the eyes are on; switch vision off or choose a renderer");
     }
     add(std::make_unique<senses::Vision>(model, senses::eyes(model, agent.body), options.vision, *renderer));
   }
-  if (options.hearing.any()) {
+  if (options.hearing.wanted != 0) {
     senses::HearingSetting ears = ears_of(options, setting);
     if (agent.own_sound) ears.own = *agent.own_sound;
     add(senses::make_hearing(model, agent.body, options.hearing, ears));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/bits.h"
 #include "base/delay.h"
 #include "base/fail.h"
 #include "body/nerves.h"
@@ -40,8 +41,8 @@ std::string lacking(const mjModel& model, const Perception& agent, Reflex reflex
 std::vector<Reflex> wanted(const mjModel& model, const Perception& agent, const ReflexOptions& options) {
   std::vector<Reflex> reflexes;
   for (std::size_t i = 0; i < reflexes::kReflexes; ++i) {
-    if ((options.wanted & 1U << i) == 0) continue;
     const auto reflex = static_cast<Reflex>(i);
+    if (!has_bit(options.wanted, reflexes::rule(reflex).bit)) continue;
     const std::string motor = lacking(model, agent, reflex);
     if (motor.empty()) reflexes.push_back(reflex);
     if (motor.empty() || options.where_possible) continue;

@@ -11,7 +11,7 @@
 namespace mimo::env {
 
 bool listens(const std::vector<AgentOptions>& agents) {
-  return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.hearing.any(); });
+  return std::any_of(agents.begin(), agents.end(), [](const AgentOptions& agent) { return agent.hearing.wanted != 0; });
 }
 
 senses::Soundscape* add_soundscape(observation::Observer& observer, const mjModel& model, double tick,

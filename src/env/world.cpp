@@ -197,7 +197,7 @@ render::Renderer& World::renderer() {
 }
 
 bool draws(const std::vector<AgentOptions>& agents, const EnvOptions& options) {
-  const auto sees = [](const AgentOptions& agent) { return agent.vision.any(); };
+  const auto sees = [](const AgentOptions& agent) { return agent.vision.wanted != 0; };
   return options.renderer != RendererChoice::kNone &&
          (!options.cameras.empty() || std::any_of(agents.begin(), agents.end(), sees));
 }

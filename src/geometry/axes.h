@@ -4,11 +4,18 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "mimo/geometry.h"
+
 namespace mimo::geometry {
 
-// As mimo.h numbers them (MIMO_AXES_MIMO ...).
-enum class Axes : int { kMimo, kUnity, kUnreal, kGodot, kGltf };
-constexpr int kLastAxes = 4;
+// Of the header.
+enum class Axes : std::int32_t {
+  kMimo = MIMO_AXES_MIMO,
+  kUnity = MIMO_AXES_UNITY,
+  kUnreal = MIMO_AXES_UNREAL,
+  kGodot = MIMO_AXES_GODOT,
+  kGltf = MIMO_AXES_GLTF,
+};
 
 class Conversion {
  public:

@@ -8,12 +8,13 @@
 
 #include "base/span.h"
 #include "geometry/mesh.h"
+#include "mimo/experimental/looks.h"
 #include "render/texture_mapping.h"
 
 namespace mimo::geometry {
 
-// As mimo.h numbers them (MIMO_TEXTURE_FLAT ...).
-enum class TextureType : int { kFlat, kCube, kSky };
+// Of the header.
+enum class TextureType : std::int32_t { kFlat = MIMO_TEXTURE_FLAT, kCube = MIMO_TEXTURE_CUBE, kSky = MIMO_TEXTURE_SKY };
 
 struct TextureSize {
   TextureType type = TextureType::kFlat;

@@ -1,15 +1,19 @@
 // How old, big and strong an infant is asked to be.
 #pragma once
 
-#include <tuple>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "mimo/experimental/maturity.h"
 
 namespace mimo::growth {
 
-enum class Sex : int { kMean, kFemale, kMale };
+enum class Sex : std::int32_t { kMean = MIMO_SEX_MEAN, kFemale = MIMO_SEX_FEMALE, kMale = MIMO_SEX_MALE };
 
 // Who: driven by the growth standards of the WHO, around the 18-month body. Original: the rules of MIMo v2, for those
 // who compare.
-enum class Model : int { kWho, kOriginal };
+enum class Model : std::int32_t { kWho = MIMO_GROWTH_WHO, kOriginal = MIMO_GROWTH_ORIGINAL };
 
 constexpr double kOldest = 24;  // months
 constexpr double kMostZ = 3;
@@ -38,14 +42,48 @@ struct Growth {
   bool flicker = false;
 };
 
-inline bool operator==(const Growth& a, const Growth& b) {
-  const auto all = [](const Growth& g) {
-    return std::tie(g.age, g.physiological_age, g.sex, g.model, g.z_length, g.z_weight, g.z_head, g.absolute,
-                    g.strength_exponent, g.neck_strength, g.birth_tone, g.contracture, g.keep_spacing, g.body, g.eyes,
-                    g.delays, g.threshold, g.flicker);
-  };
-  return all(a) == all(b);
+// Visits all members with their names. Does not compile where one is missing here.
+template <typename Growth, typename Visit>
+constexpr void for_each_member(Growth& growth, Visit&& visit) {
+  auto& [age, physiological_age, sex, model, z_length, z_weight, z_head, absolute, strength_exponent, neck_strength,
+         birth_tone, contracture, keep_spacing, body, eyes, delays, threshold, flicker] = growth;
+  visit("age", age);
+  visit("physiological_age", physiological_age);
+  visit("sex", sex);
+  visit("model", model);
+  visit("z_length", z_length);
+  visit("z_weight", z_weight);
+  visit("z_head", z_head);
+  visit("absolute", absolute);
+  visit("strength_exponent", strength_exponent);
+  visit("neck_strength", neck_strength);
+  visit("birth_tone", birth_tone);
+  visit("contracture", contracture);
+  visit("keep_spacing", keep_spacing);
+  visit("body", body);
+  visit("eyes", eyes);
+  visit("delays", delays);
+  visit("threshold", threshold);
+  visit("flicker", flicker);
 }
+
+constexpr std::size_t count_members() {
+  std::size_t count = 0;
+  const Growth any;
+  for_each_member(any, [&](const char* /*name*/, const auto& /*member*/) { ++count; });
+  return count;
+}
+constexpr std::size_t kMembers = count_members();
+
+// All members as numbers, in the order of their visit.
+inline std::array<double, kMembers> numbers_of(const Growth& growth) {
+  std::array<double, kMembers> numbers{};
+  double* to = numbers.data();
+  for_each_member(growth, [&](const char* /*name*/, const auto& member) { *to++ = static_cast<double>(member); });
+  return numbers;
+}
+
+inline bool operator==(const Growth& a, const Growth& b) { return numbers_of(a) == numbers_of(b); }
 inline bool operator!=(const Growth& a, const Growth& b) { return !(a == b); }
 
 // Throws Status::kInvalidArgument for a number that is out of its range, naming it as mimo_growth does.

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "mimo/observation.h"
 #include "observation/receptor.h"
 
 namespace mimo::observation {
 
-enum class Type : int { kU8 = 1, kI32 = 2, kF32 = 3, kF64 = 4 };
+enum class Type : std::int32_t { kU8 = MIMO_U8, kI32 = MIMO_I32, kF32 = MIMO_F32, kF64 = MIMO_F64 };
 enum class Time : int { kEnd = 1, kLastStart = 2 };
 
 std::size_t size_of(Type type);

@@ -13,8 +13,6 @@ using blueprint::Growths;
 
 Growths growths_of(const env::World& world);
 
-// How many numbers an infant has in a row.
-std::size_t growth_numbers();
 // Numbers of one row, and what they are, a line each.
 std::vector<double> row_of(const Growths& growths);
 std::string names_of_row(const env::World& world);

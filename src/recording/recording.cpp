@@ -206,8 +206,8 @@ std::size_t Recording::seek(blueprint::AgingWorld& target, std::size_t step, con
 
 Growths Recording::growths_of_body(std::size_t body) const {
   try {
-    require(file_.row_bytes(kBodies) == agents_ * growth_numbers() * sizeof(double),
-            "a row has {} bytes, expected {} numbers for each of {} agents", file_.row_bytes(kBodies), growth_numbers(),
+    require(file_.row_bytes(kBodies) == agents_ * growth::kMembers * sizeof(double),
+            "a row has {} bytes, expected {} numbers for each of {} agents", file_.row_bytes(kBodies), growth::kMembers,
             agents_);
     const std::vector<std::uint8_t> bytes = file_.row(kBodies, body);
     std::vector<double> row(bytes.size() / sizeof(double));

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bits.h"
+#include "base/header.h"
+
 namespace mimo::reflexes {
 namespace {
 
@@ -12,14 +15,23 @@ constexpr double weeks(double since_conception) { return (since_conception - 40)
 
 // In the order of Reflex.
 constexpr Rule kRules[kReflexes] = {
-    {"palmar_grasp", weeks(25), 4, kSpinal, 0.1, 0.5, "N", true, 0.3, 0.3, 0.5},
-    {"plantar_grasp", weeks(25), 9, kSpinal, 0.1, 0.5, "N", true, 0.3, 0.3, 0.4},
-    {"rooting", weeks(28), 4, kBrainStem, 0.02, 0.5, "N", false, 0.6, 0.4, 0.4},
-    {"moro", weeks(30), 5, kBrainStem, 1, 0.5, "", false, 1.1, 0.4, 0.4},
-    {"asymmetric_tonic_neck", 0, 6, kBrainStem, 45, 2.0 / 3, "degrees", true, 0.3, 0.5, 0.3},
-    {"stepping", weeks(38), 2, kSpinal, 1, 0.5, "", true, 0.3, 0.2, 0.4},
-    {"withdrawal", weeks(25), kNever, kSpinal, 1, 0.5, "", false, 0.5, 0.5, 0.4},
+    {MIMO_REFLEX_PALMAR_GRASP, "palmar_grasp", weeks(25), 4, kSpinal, 0.1, 0.5, "N", true, 0.3, 0.3, 0.5},
+    {MIMO_REFLEX_PLANTAR_GRASP, "plantar_grasp", weeks(25), 9, kSpinal, 0.1, 0.5, "N", true, 0.3, 0.3, 0.4},
+    {MIMO_REFLEX_ROOTING, "rooting", weeks(28), 4, kBrainStem, 0.02, 0.5, "N", false, 0.6, 0.4, 0.4},
+    {MIMO_REFLEX_MORO, "moro", weeks(30), 5, kBrainStem, 1, 0.5, "", false, 1.1, 0.4, 0.4},
+    {MIMO_REFLEX_ASYMMETRIC_TONIC_NECK, "asymmetric_tonic_neck", 0, 6, kBrainStem, 45, 2.0 / 3, "degrees", true, 0.3,
+     0.5, 0.3},
+    {MIMO_REFLEX_STEPPING, "stepping", weeks(38), 2, kSpinal, 1, 0.5, "", true, 0.3, 0.2, 0.4},
+    {MIMO_REFLEX_WITHDRAWAL, "withdrawal", weeks(25), kNever, kSpinal, 1, 0.5, "", false, 0.5, 0.5, 0.4},
 };
+
+constexpr bool rules_are_in_order() {
+  for (std::size_t i = 0; i < kReflexes; ++i) {
+    if (kRules[i].bit != 1U << i) return false;
+  }
+  return bits_of(kRules) == (header::kReflex & ~MIMO_REFLEX_FELT);
+}
+static_assert(rules_are_in_order(), "a reflex of the header has no rule, or one that is not in its place");
 
 }  // namespace
 

@@ -7,13 +7,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 #include "growth/conduction.h"
 
 namespace mimo::reflexes {
 
-// As the bits of mimo.h count them (MIMO_REFLEX_...).
 enum class Reflex : int { kPalmarGrasp, kPlantarGrasp, kRooting, kMoro, kTonicNeck, kStepping, kWithdrawal };
 constexpr std::size_t kReflexes = 7;
 
@@ -27,6 +27,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSpinal = 0.012, kBrainStem = 0.025;  // s
 
 struct Rule {
+  std::uint32_t bit;  // of the header
   const char* name;
   double start, end;   // months from birth at term; kNever: it stays
   double centre;       // s

@@ -3,23 +3,25 @@
 
 #include <string>
 
+#include "mimo/agent.h"
+
 namespace mimo::scene {
 
-// Bits, as mimo.h numbers them (MIMO_ACT_...).
+// Bits of the header.
 enum Group : unsigned {
-  kTrunk = 0x01,
-  kHead = 0x02,
-  kEyes = 0x04,
-  kRightArm = 0x08,
-  kLeftArm = 0x10,
-  kRightHand = 0x20,
-  kLeftHand = 0x40,
-  kRightLeg = 0x80,
-  kLeftLeg = 0x100,
-  kRightFoot = 0x200,
-  kLeftFoot = 0x400,
-  kAllGroups = 0x7ff,
-  kNoGroup = 0x40000000,  // excludes the others
+  kTrunk = MIMO_ACT_TRUNK,
+  kHead = MIMO_ACT_HEAD,
+  kEyes = MIMO_ACT_EYES,
+  kRightArm = MIMO_ACT_RIGHT_ARM,
+  kLeftArm = MIMO_ACT_LEFT_ARM,
+  kRightHand = MIMO_ACT_RIGHT_HAND,
+  kLeftHand = MIMO_ACT_LEFT_HAND,
+  kRightLeg = MIMO_ACT_RIGHT_LEG,
+  kLeftLeg = MIMO_ACT_LEFT_LEG,
+  kRightFoot = MIMO_ACT_RIGHT_FOOT,
+  kLeftFoot = MIMO_ACT_LEFT_FOOT,
+  kAllGroups = (kLeftFoot << 1) - 1,
+  kNoGroup = MIMO_ACT_NONE,  // excludes the others
 };
 
 // The group of a motor, "act:left_elbow"; 0 for one that belongs to none.

@@ -16,6 +16,7 @@
 #include "document/pose.h"
 #include "document/saving.h"
 #include "growth/growth.h"
+#include "mimo/scene.h"
 #include "scene/guest.h"
 #include "scene/recipe.h"
 #include "scene/welds.h"
@@ -32,7 +33,13 @@ struct Source {
   LogSink log;  // for what is not as the document's author meant it
 };
 
-enum class Shape : int { kSphere = 1, kCapsule = 2, kEllipsoid = 3, kCylinder = 4, kBox = 5 };
+enum class Shape : std::int32_t {
+  kSphere = MIMO_SHAPE_SPHERE,
+  kCapsule = MIMO_SHAPE_CAPSULE,
+  kEllipsoid = MIMO_SHAPE_ELLIPSOID,
+  kCylinder = MIMO_SHAPE_CYLINDER,
+  kBox = MIMO_SHAPE_BOX,
+};
 // How many of an object's three sizes count.
 std::size_t size_count(Shape shape);
 

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "base/bits.h"
+
 namespace mimo::senses {
 namespace {
 
@@ -58,14 +60,14 @@ Labyrinth::Labyrinth(const Head& head, double tick)
       maculae_{receptors::Maculae(true, tick), receptors::Maculae(false, tick)},
       gravity_(tick) {}
 
-std::vector<Signal> Labyrinth::signals(const LabyrinthOptions& options) const {
+std::vector<Signal> Labyrinth::signals(std::uint32_t wanted) const {
   using namespace receptors;
   std::vector<Signal> signals;
-  if (options.canals) {
+  if (has_bit(wanted, MIMO_VESTIBULAR_CANALS)) {
     signals.push_back({rates("canals", {kCanals, kAfferents}, head_.frame, with_types(kCanalNames, kCanals)),
                        [this](const mjModel&, const mjData&, float* out) { write_canals(canals_, out); }});
   }
-  if (options.otoliths) {
+  if (has_bit(wanted, MIMO_VESTIBULAR_OTOLITHS)) {
     signals.push_back({rates("otoliths", {kSides, kMaculae, kDirections, kAfferents}, head_.frame,
                              with_types(kPolarisationNames, kPolarisations)),
                        [this](const mjModel&, const mjData&, float* out) {
@@ -74,7 +76,7 @@ std::vector<Signal> Labyrinth::signals(const LabyrinthOptions& options) const {
                          }
                        }});
   }
-  if (options.gravity) {
+  if (has_bit(wanted, MIMO_VESTIBULAR_GRAVITY)) {
     Field field;
     field.name = "vestibular/gravity";
     field.shape = {3};

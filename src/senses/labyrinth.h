@@ -16,6 +16,9 @@
 
 namespace mimo::senses {
 
+// Of MIMO_VESTIBULAR_, what nerves tell of the head's motion in Hz, and an estimate of gravity.
+constexpr std::uint32_t kLabyrinth = MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
+
 class Labyrinth : public observation::Process {
  public:
   // What carries it, and where its otolith organs are in that frame: left and right.
@@ -27,7 +30,7 @@ class Labyrinth : public observation::Process {
 
   Labyrinth(const Head& head, double tick);
   // Refer to this object, which stays where it is.
-  std::vector<observation::Signal> signals(const LabyrinthOptions& options) const;
+  std::vector<observation::Signal> signals(std::uint32_t wanted) const;
 
  private:
   void rest(const mjModel& model, const mjData& data) override;

@@ -189,27 +189,29 @@ std::shared_ptr<FusimotorDrives> make_fusimotor_drives(const mjModel& model, con
   return std::make_shared<FusimotorDrives>(motors);
 }
 
-MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body,
-                                      const MuscleReceptorOptions& options, double limit_threshold, Pulls pulls,
-                                      std::shared_ptr<FusimotorDrives> drives, double tick) {
+MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body, std::uint32_t wanted,
+                                      double limit_threshold, Pulls pulls, std::shared_ptr<FusimotorDrives> drives,
+                                      double tick) {
   const std::vector<Pair> pairs = pairs_of(model, body);
   MuscleReceptors made;
-  if (options.spindles()) {
+  if (has_bit(wanted, kSpindles)) {
     using receptors::SpindleRates;
     auto spindles = std::make_unique<Spindles>(pairs, std::move(drives), tick);
-    const auto add = [&](bool is, const char* name, double SpindleRates::*part) {
-      if (is) made.signals.push_back(spindles->signal(model, name, part));
+    const auto add = [&](std::uint32_t bit, const char* name, double SpindleRates::*part) {
+      if (has_bit(wanted, bit)) made.signals.push_back(spindles->signal(model, name, part));
     };
-    add(options.spindle_primary, "spindle_primary", &SpindleRates::primary);
-    add(options.spindle_secondary, "spindle_secondary", &SpindleRates::secondary);
+    add(MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY, "spindle_primary", &SpindleRates::primary);
+    add(MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY, "spindle_secondary", &SpindleRates::secondary);
     made.processes.push_back(std::move(spindles));
   }
-  if (options.tendon_organ) {
+  if (has_bit(wanted, MIMO_PROPRIOCEPTION_TENDON_ORGAN)) {
     auto organs = std::make_unique<TendonOrgans>(pairs, std::move(pulls), tick);
     made.signals.push_back(organs->signal(model));
     made.processes.push_back(std::move(organs));
   }
-  if (options.joint_receptor) made.signals.push_back(joint_receptors(model, body.joints, limit_threshold));
+  if (has_bit(wanted, MIMO_PROPRIOCEPTION_JOINT_RECEPTOR)) {
+    made.signals.push_back(joint_receptors(model, body.joints, limit_threshold));
+  }
   return made;
 }
 

@@ -6,7 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/bits.h"
 #include "body/body.h"
+#include "mimo/experimental/receptors.h"
 #include "observation/process.h"
 #include "observation/signals.h"
 
@@ -14,11 +16,10 @@ namespace mimo::senses {
 
 class FusimotorDrives;
 
-struct MuscleReceptorOptions {
-  bool spindle_primary = false, spindle_secondary = false, tendon_organ = false, joint_receptor = false;
-  bool any() const { return spindles() || tendon_organ || joint_receptor; }
-  bool spindles() const { return spindle_primary || spindle_secondary; }
-};
+// Of MIMO_PROPRIOCEPTION_, those of spindles, and all of receptors.
+constexpr std::uint32_t kSpindles = MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY | MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY;
+constexpr std::uint32_t kMuscleReceptors =
+    kSpindles | MIMO_PROPRIOCEPTION_TENDON_ORGAN | MIMO_PROPRIOCEPTION_JOINT_RECEPTOR;
 
 // Of each muscle, first those that pull to the negative side, the share of its largest force; false: nothing else is
 // known than the motors' forces.
@@ -32,8 +33,8 @@ struct MuscleReceptors {
 // Of the motors that have spindles.
 std::shared_ptr<FusimotorDrives> make_fusimotor_drives(const mjModel& model, const body::Body& body);
 
-MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body,
-                                      const MuscleReceptorOptions& options, double limit_threshold, Pulls pulls,
-                                      std::shared_ptr<FusimotorDrives> drives, double tick);
+MuscleReceptors make_muscle_receptors(const mjModel& model, const body::Body& body, std::uint32_t wanted,
+                                      double limit_threshold, Pulls pulls, std::shared_ptr<FusimotorDrives> drives,
+                                      double tick);
 
 }  // namespace mimo::senses

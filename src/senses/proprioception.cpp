@@ -4,6 +4,9 @@
 #include <iterator>
 #include <utility>
 
+#include "base/bits.h"
+#include "base/header.h"
+
 namespace mimo::senses {
 namespace {
 
@@ -43,21 +46,25 @@ Field joint_field(const mjModel& model, const Joints& joints, const char* name, 
   return field;
 }
 
-Signal position(const mjModel& model, const Joints& joints) {
+Signal position(const mjModel& model, const body::Body& body, double /*threshold*/) {
+  const Joints& joints = body.joints;
   return {joint_field(model, joints, "position", body::units_of(model, joints).position, Time::kEnd),
           [joints](const mjModel&, const mjData& data, float* out) {
             for (const body::Joint& joint : joints) *out++ = static_cast<float>(data.qpos[joint.qpos]);
           }};
 }
 
-Signal velocity(const mjModel& model, const Joints& joints) {
+Signal velocity(const mjModel& model, const body::Body& body, double /*threshold*/) {
+  const Joints& joints = body.joints;
   return {joint_field(model, joints, "velocity", body::units_of(model, joints).velocity, Time::kEnd),
           [joints](const mjModel&, const mjData& data, float* out) {
             for (const body::Joint& joint : joints) *out++ = static_cast<float>(data.qvel[joint.dof]);
           }};
 }
 
-Signal torque(const mjModel& model, const std::vector<body::Sensor>& sensors) {
+// Three axes at each joint sensor.
+Signal torque(const mjModel& model, const body::Body& body, double /*threshold*/) {
+  const std::vector<body::Sensor>& sensors = body.torques;
   Field field;
   field.name = "proprioception/torque";
   field.shape = {sensors.size(), 3};
@@ -76,7 +83,8 @@ Signal torque(const mjModel& model, const std::vector<body::Sensor>& sensors) {
 }
 
 // 0 when more than the threshold inside both limits, 1 at a limit, more beyond it.
-Signal limit(const mjModel& model, const Joints& joints, double threshold) {
+Signal limit(const mjModel& model, const body::Body& body, double threshold) {
+  const Joints& joints = body.joints;
   Field field = joint_field(model, joints, "limit", "", Time::kEnd);
   field.low = 0;
   return {field, [joints, threshold](const mjModel&, const mjData& data, float* out) {
@@ -90,7 +98,8 @@ Signal limit(const mjModel& model, const Joints& joints, double threshold) {
 
 // The force that the parent exerts on the body, as seen along the joint's degree of freedom: what motor, spring,
 // damper, friction and limit of the joint give together. Both are MuJoCo's spatial vectors about the same point.
-Signal joint_torque(const mjModel& model, const Joints& joints) {
+Signal joint_torque(const mjModel& model, const body::Body& body, double /*threshold*/) {
+  const Joints& joints = body.joints;
   return {joint_field(model, joints, "joint_torque", body::units_of(model, joints).force, Time::kLastStart),
           [joints](const mjModel& now, const mjData& data, float* out) {
             for (const body::Joint& joint : joints) {
@@ -103,6 +112,22 @@ Signal joint_torque(const mjModel& model, const Joints& joints) {
           }};
 }
 
+struct Row {
+  std::uint32_t bit;
+  Signal (*make)(const mjModel& model, const body::Body& body, double threshold);
+};
+
+// In the order of their fields; those of commands lie between the two tables, those of receptors behind them.
+constexpr Row kFirst[] = {
+    {MIMO_PROPRIOCEPTION_POSITION, position},
+    {MIMO_PROPRIOCEPTION_VELOCITY, velocity},
+    {MIMO_PROPRIOCEPTION_TORQUE, torque},
+    {MIMO_PROPRIOCEPTION_LIMIT, limit},
+};
+constexpr Row kLast[] = {{MIMO_PROPRIOCEPTION_JOINT_TORQUE, joint_torque}};
+static_assert((bits_of(kFirst) | bits_of(kLast) | kMuscleReceptors | MIMO_PROPRIOCEPTION_ACTUATION |
+               MIMO_PROPRIOCEPTION_EFFORT) == header::kProprioception);
+
 }  // namespace
 
 std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, const body::Body& body,
@@ -110,13 +135,13 @@ std::unique_ptr<observation::Sense> make_proprioception(const mjModel& model, co
                                                         std::vector<Signal> commands, Pulls pulls,
                                                         std::shared_ptr<FusimotorDrives> drives, double tick) {
   std::vector<Signal> signals;
-  if (options.position) signals.push_back(position(model, body.joints));
-  if (options.velocity) signals.push_back(velocity(model, body.joints));
-  if (options.torque) signals.push_back(torque(model, body.torques));
-  if (options.limit) signals.push_back(limit(model, body.joints, options.limit_threshold));
+  const auto add = [&](const Row& row) {
+    if (has_bit(options.wanted, row.bit)) signals.push_back(row.make(model, body, options.limit_threshold));
+  };
+  for (const Row& row : kFirst) add(row);
   std::move(commands.begin(), commands.end(), std::back_inserter(signals));
-  if (options.joint_torque) signals.push_back(joint_torque(model, body.joints));
-  MuscleReceptors receptors = make_muscle_receptors(model, body, options.receptors, options.limit_threshold,
+  for (const Row& row : kLast) add(row);
+  MuscleReceptors receptors = make_muscle_receptors(model, body, options.wanted, options.limit_threshold,
                                                     std::move(pulls), std::move(drives), tick);
   std::move(receptors.signals.begin(), receptors.signals.end(), std::back_inserter(signals));
   auto sense = std::make_unique<observation::Signals>(observation::Share::kProprioception, std::move(signals));

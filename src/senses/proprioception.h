@@ -11,15 +11,10 @@
 namespace mimo::senses {
 
 struct ProprioceptionOptions {
-  bool position = true;
-  bool velocity = true;
-  bool torque = true;  // three axes at each joint sensor
-  bool limit = true;
-  bool joint_torque = false;       // about each joint's own axis
+  // MIMO_PROPRIOCEPTION_ bits; the actuation says what is felt of commands and effort.
+  std::uint32_t wanted = MIMO_PROPRIOCEPTION_POSITION | MIMO_PROPRIOCEPTION_VELOCITY | MIMO_PROPRIOCEPTION_TORQUE |
+                         MIMO_PROPRIOCEPTION_LIMIT | MIMO_PROPRIOCEPTION_ACTUATION;
   double limit_threshold = 0.035;  // rad
-  MuscleReceptorOptions receptors{};
-
-  bool any() const { return position || velocity || torque || limit || joint_torque || receptors.any(); }
 };
 
 // `commands` are what the agent feels of what its motors are told. The rest is for receptors of muscles: see there.

@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "base/bits.h"
 #include "base/fail.h"
+#include "base/header.h"
 #include "engine/motion.h"
 #include "observation/signals.h"
 #include "senses/labyrinth.h"
@@ -11,6 +13,8 @@ namespace mimo::senses {
 namespace {
 
 using engine::Kind;
+
+static_assert((MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY | kLabyrinth) == header::kVestibular);
 
 observation::Field field(const char* name, const char* unit, const char* frame) {
   observation::Field field;
@@ -39,8 +43,10 @@ observation::Signal reading(observation::Field field, const body::Sensor& sensor
 // An infant's: MuJoCo's accelerometer and gyroscope in its head.
 std::vector<observation::Signal> readings(const body::Body& body, const VestibularOptions& options) {
   std::vector<observation::Signal> signals;
-  if (options.acceleration && body.accelerometer) signals.push_back(reading(acceleration("head"), *body.accelerometer));
-  if (options.angular_velocity && body.gyroscope) {
+  if (has_bit(options.wanted, MIMO_VESTIBULAR_ACCELERATION) && body.accelerometer) {
+    signals.push_back(reading(acceleration("head"), *body.accelerometer));
+  }
+  if (has_bit(options.wanted, MIMO_VESTIBULAR_ANGULAR_VELOCITY) && body.gyroscope) {
     signals.push_back(reading(angular_velocity("head"), *body.gyroscope));
   }
   return signals;
@@ -55,8 +61,12 @@ std::vector<observation::Signal> motions(const engine::Place& place, const Vesti
                                }};
   };
   std::vector<observation::Signal> signals;
-  if (options.acceleration) signals.push_back(signal(acceleration(frame), &engine::Motion::acceleration));
-  if (options.angular_velocity) signals.push_back(signal(angular_velocity(frame), &engine::Motion::angular_velocity));
+  if (has_bit(options.wanted, MIMO_VESTIBULAR_ACCELERATION)) {
+    signals.push_back(signal(acceleration(frame), &engine::Motion::acceleration));
+  }
+  if (has_bit(options.wanted, MIMO_VESTIBULAR_ANGULAR_VELOCITY)) {
+    signals.push_back(signal(angular_velocity(frame), &engine::Motion::angular_velocity));
+  }
   return signals;
 }
 
@@ -84,9 +94,9 @@ std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const 
   std::vector<observation::Signal> signals =
       options.at.empty() ? readings(body, options) : motions(find_place(model, options.at), options);
   std::unique_ptr<Labyrinth> labyrinth;
-  if (options.labyrinth.any()) {
+  if (has_bit(options.wanted, kLabyrinth)) {
     labyrinth = std::make_unique<Labyrinth>(head_of(model, body, options), tick);
-    for (observation::Signal& signal : labyrinth->signals(options.labyrinth)) signals.push_back(std::move(signal));
+    for (observation::Signal& signal : labyrinth->signals(options.wanted)) signals.push_back(std::move(signal));
   }
   auto sense = std::make_unique<observation::Signals>(observation::Share::kVestibular, std::move(signals));
   if (labyrinth != nullptr) sense->keep(std::move(labyrinth));

@@ -5,22 +5,14 @@
 #include <string>
 
 #include "body/body.h"
+#include "mimo/experimental/receptors.h"
 #include "observation/sense.h"
 
 namespace mimo::senses {
 
-// What nerves tell of the head's motion; in Hz, and an estimate of gravity.
-struct LabyrinthOptions {
-  bool canals = false, otoliths = false, gravity = false;
-  bool any() const { return canals || otoliths || gravity; }
-};
-
 struct VestibularOptions {
-  bool acceleration = true, angular_velocity = true;
-  LabyrinthOptions labyrinth;
+  std::uint32_t wanted = MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY;  // MIMO_VESTIBULAR_ bits
   std::string at;  // site or body that carries the organ, in whose frame it feels; "": the middle of an infant's head
-
-  bool any() const { return acceleration || angular_velocity || labyrinth.any(); }
 };
 
 // `tick` is the time from one advance of its processes to the next, s. Throws Status::kNotFound with the sites that

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/bits.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "render/projection.h"
@@ -50,12 +51,14 @@ Vision::Vision(const mjModel& model, const std::vector<Lens>& lenses, const Visi
 Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   const double far = model.vis.map.zfar * model.stat.extent;
   View view{lens.camera, kNone, kNone, kNone};
-  if (options_.rgb) {
+  if (has_bit(options_.wanted, MIMO_VISION_RGB)) {
     view.rgb = add(lens.path, observation::Type::kU8, "", 0, 255);
     fields_.back().foveation = options_.foveation;
   }
-  if (options_.depth) view.depth = add(lens.path + "_depth", observation::Type::kF32, "m", 0, far);
-  if (options_.segmentation) {
+  if (has_bit(options_.wanted, MIMO_VISION_DEPTH)) {
+    view.depth = add(lens.path + "_depth", observation::Type::kF32, "m", 0, far);
+  }
+  if (has_bit(options_.wanted, MIMO_VISION_SEGMENTATION)) {
     view.segmentation = add(lens.path + "_segmentation", observation::Type::kI32, "", -1, model.ngeom - 1);
   }
   const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];

@@ -5,21 +5,18 @@
 #include <vector>
 
 #include "body/body.h"
+#include "mimo/agent.h"
 #include "observation/sense.h"
 #include "render/renderer.h"
 
 namespace mimo::senses {
 
 struct VisionOptions {
-  bool rgb = true;
-  bool depth = false;
-  bool segmentation = false;
+  std::uint32_t wanted = MIMO_VISION_RGB;  // MIMO_VISION_ bits
   int width = 256;
   int height = 256;
   double fovy = 0;       // degrees; 0: the camera's own
   double foveation = 0;  // of colour; 0: none
-
-  bool any() const { return rgb || depth || segmentation; }
 };
 
 // A camera of the model, and what its fields are called.

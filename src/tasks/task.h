@@ -9,6 +9,7 @@
 #include "base/span.h"
 #include "body/body.h"
 #include "engine/physics.h"
+#include "mimo/env.h"
 #include "observation/signals.h"
 #include "tasks/parameters.h"
 
@@ -28,8 +29,12 @@ struct Step {
   Span<const std::uint8_t> block;  // all that was sensed, of tasks that judge it; empty: nobody asked for it
 };
 
-// Whether a step was a success or a failure; as mimo.h numbers them (MIMO_OUTCOME_...).
-enum class Outcome : int { kNone = 0, kSuccess = 1, kFailure = -1 };
+// Whether a step was a success or a failure.
+enum class Outcome : std::int32_t {
+  kNone = MIMO_OUTCOME_NONE,
+  kSuccess = MIMO_OUTCOME_SUCCESS,
+  kFailure = MIMO_OUTCOME_FAILURE,
+};
 
 // How an episode opens, in physics steps: some in which nobody does anything, then some in which the infant does
 // anything within its bounds, drawn anew for each of them.

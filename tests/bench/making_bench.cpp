@@ -15,6 +15,7 @@
 #include "blueprint/agents.h"
 #include "blueprint/aging_world.h"
 #include "blueprint/blueprint.h"
+#include "capi/agents.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -59,7 +60,7 @@ using WorldPtr = std::unique_ptr<blueprint::AgingWorld>;
 
 WorldPtr make(const char* scene) {
   const auto worlds =
-      std::make_shared<blueprint::WorldsByAge>(blueprint::ready_world(scene).current(), env::EnvOptions{}, LogSink{});
+      std::make_shared<blueprint::WorldsByAge>(capi::ready_world(scene).current(), env::EnvOptions{}, LogSink{});
   return std::make_unique<blueprint::AgingWorld>(worlds, worlds->as_described({}, {}), blueprint::Surroundings{});
 }
 

@@ -52,7 +52,7 @@ void bench_setup(double scale) {
 
 void bench_step(double scale, bool all_outputs, int steps) {
   senses::TouchOptions options;
-  options.slip = options.friction_use = all_outputs;
+  if (all_outputs) options.wanted |= MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
   senses::Touch sense(make_skin(scale), options);
   std::size_t bytes = 0;
   for (observation::Field& field : sense.fields()) {

@@ -75,7 +75,7 @@ inline engine::ModelPtr held_infant(const std::array<double, 4>& quat) {
 inline env::AgentOptions blind() {
   env::AgentOptions options;
   options.vision = {};
-  options.vision.rgb = false;
+  options.vision.wanted = 0;
   return options;
 }
 

@@ -24,7 +24,7 @@ using env::World;
 std::unique_ptr<World> muscular(Mode mode, int frame_skip = 2) {
   env::AgentOptions agent = blind();
   agent.actuation.mode = mode;
-  agent.actuation.effort = true;
+  agent.proprioception.wanted |= MIMO_PROPRIOCEPTION_EFFORT;
   env::EnvOptions options = without_renderer();
   options.frame_skip = frame_skip;
   options.physics.gravity = options.physics.contacts = false;

@@ -447,7 +447,7 @@ TEST(Batch, WorldsOfOneModelShareItAndTheirSkin) {
 TEST(Batch, WorldsThatObserveSomethingElseAreRefused) {
   env::AgentOptions coarse = blind(), silent = blind();
   coarse.touch.everywhere = 0.1;
-  silent.vestibular.acceleration = silent.vestibular.angular_velocity = false;
+  silent.vestibular.wanted = 0;
   const auto with = [](const env::AgentOptions& agent) {
     return compiled_worlds_of({floating_model(), {agent}, without_renderer(), {}})[0];
   };

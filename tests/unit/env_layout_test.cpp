@@ -28,7 +28,7 @@ std::map<std::string, std::vector<std::size_t>> shapes(const env::World& world) 
 
 env::AgentOptions all_senses() {
   env::AgentOptions options = blind();
-  options.proprioception.joint_torque = true;
+  options.proprioception.wanted |= MIMO_PROPRIOCEPTION_JOINT_TORQUE;
   return options;
 }
 
@@ -110,16 +110,22 @@ struct Switch {
 TEST(EnvLayout, SwitchesRemoveTheirFields) {
   const std::string p = "proprioception/";
   const Switch switches[] = {
-      {"position", [](env::AgentOptions& o) { o.proprioception.position = false; }, {p + "position"}},
-      {"velocity", [](env::AgentOptions& o) { o.proprioception.velocity = false; }, {p + "velocity"}},
-      {"torque", [](env::AgentOptions& o) { o.proprioception.torque = false; }, {p + "torque"}},
-      {"limit", [](env::AgentOptions& o) { o.proprioception.limit = false; }, {p + "limit"}},
-      {"actuation", [](env::AgentOptions& o) { o.actuation.felt = false; }, {p + "control", p + "motor_torque"}},
-      {"joint torque", [](env::AgentOptions& o) { o.proprioception.joint_torque = false; }, {p + "joint_torque"}},
+      {"position",
+       [](env::AgentOptions& o) { o.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_POSITION; },
+       {p + "position"}},
+      {"velocity",
+       [](env::AgentOptions& o) { o.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_VELOCITY; },
+       {p + "velocity"}},
+      {"torque", [](env::AgentOptions& o) { o.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_TORQUE; }, {p + "torque"}},
+      {"limit", [](env::AgentOptions& o) { o.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_LIMIT; }, {p + "limit"}},
+      {"actuation",
+       [](env::AgentOptions& o) { o.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_ACTUATION; },
+       {p + "control", p + "motor_torque"}},
+      {"joint torque",
+       [](env::AgentOptions& o) { o.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_JOINT_TORQUE; },
+       {p + "joint_torque"}},
       {"vestibular",
-       [](env::AgentOptions& o) {
-         o.vestibular = {false, false, {}, ""};
-       },
+       [](env::AgentOptions& o) { o.vestibular.wanted = 0; },
        {"vestibular/acceleration", "vestibular/angular_velocity"}},
   };
   for (const Switch& sense : switches) {
@@ -134,10 +140,9 @@ TEST(EnvLayout, SwitchesRemoveTheirFields) {
 
 TEST(EnvLayout, NoSensesAtAll) {
   env::AgentOptions options = blind();
-  options.vestibular = {false, false, {}, ""};
-  options.touch.force = false;
-  options.proprioception = {false, false, false, false, false, 0.035};
-  options.actuation.felt = false;
+  options.vestibular.wanted = 0;
+  options.touch.wanted = 0;
+  options.proprioception.wanted = 0;
   const auto world = benchmark_world(options);
   EXPECT_EQ(world->layout().size(), 0u);
   EXPECT_EQ(world->layout().bytes(), 0u);

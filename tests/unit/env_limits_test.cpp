@@ -194,8 +194,8 @@ TEST(Limits, PathsThatLeadNowhereAreRefused) {
 // The eyes: half the brightness, blurred, and depth as it was.
 TEST(Limits, ConcernPicturesInColour) {
   env::AgentOptions options = blind();
-  options.touch.force = false;
-  options.vision.rgb = options.vision.depth = true;
+  options.touch.wanted = 0;
+  options.vision.wanted = MIMO_VISION_RGB | MIMO_VISION_DEPTH;
   options.vision.width = options.vision.height = 32;
   env::EnvOptions rays;
   rays.renderer = env::RendererChoice::kRay;

@@ -100,7 +100,8 @@ double latest(const env::Description& of, const char* name) {
 // and 1.65 times the 5.5 cm from its middle to theirs.
 TEST(Nerves, PainComesTwice) {
   env::AgentOptions agent = infant(false);
-  agent.touch.receptors = {true, false, false, false, false, true, true, true, true, false};
+  agent.touch.wanted |=
+      MIMO_TOUCH_SA1 | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
   agent.maturity = env::Maturity{};
   agent.maturity->nerves.speed = 56;
   const auto world = world_of(agent, 1);
@@ -169,7 +170,7 @@ TEST(Nerves, CamerasSeeAsTheyAre) {
 
 env::AgentOptions slow_eyes(double flicker) {
   env::AgentOptions agent = infant(false);
-  agent.vision.rgb = true;
+  agent.vision.wanted |= MIMO_VISION_RGB;
   agent.vision.width = agent.vision.height = 24;
   agent.maturity = env::Maturity{};
   agent.maturity->eyes.flicker = flicker;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/header.h"
 #include "body/nerves.h"
 #include "env/attached.h"
 #include "reflexes/table.h"
@@ -20,7 +21,7 @@ using reflexes::Reflex;
 
 constexpr double kTick = 0.005;
 
-std::uint32_t bit(Reflex reflex) { return 1U << static_cast<int>(reflex); }
+std::uint32_t bit(Reflex reflex) { return reflexes::rule(reflex).bit; }
 
 const char* const kBall = "<geom type='sphere' size='.005' mass='.0005'/>";
 
@@ -41,7 +42,7 @@ engine::ModelPtr hanging(const std::string& body, double months, const std::stri
 
 env::AgentOptions newborn(std::uint32_t reflexes, double months = 1) {
   env::AgentOptions options = blind();
-  options.touch.force = false;
+  options.touch.wanted = 0;
   options.growth = aged(months);
   options.reflexes.wanted = reflexes;
   return options;
@@ -551,7 +552,7 @@ TEST(ReflexesInWorlds, MittensDoNotGrasp) {
   attached.agents = {newborn(bit(Reflex::kMoro))};
   attached.options = without_renderer();
   EXPECT_THROW(env::Attached(attached, 0), Error) << "the host commands the motors";
-  env::AgentOptions all = newborn((1U << reflexes::kReflexes) - 1);
+  env::AgentOptions all = newborn(header::kReflex & ~MIMO_REFLEX_FELT);
   all.reflexes.where_possible = true;
   Hanging mitten("mitten", all), fingers("fingers", all);
   EXPECT_EQ(mitten.world().layout()[mitten.world().layout().size() - 1].shape[0], reflexes::kReflexes - 1);

@@ -236,9 +236,9 @@ TEST(State, FitsAWorldWithOtherSenses) {
   const auto world = make_world(benchmark_model());
   for (int i = 0; i < 30; ++i) step(*world, i);
   auto deaf = blind();
-  deaf.vestibular = {false, false, {}, ""};
+  deaf.vestibular.wanted = 0;
   deaf.proprioception = {};
-  deaf.proprioception.torque = false;
+  deaf.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_TORQUE;
   env::World other(benchmark_model(), {deaf}, {});
   load(other, saved(*world));
   step(*world, 1);

@@ -59,7 +59,7 @@ TEST(EnvStep, WithoutABlock) {
 // then), fields of its end are what observe gives after it, and not the other way round.
 TEST(EnvStep, FieldsBelongToTheirTime) {
   env::AgentOptions agent = blind();
-  agent.proprioception.joint_torque = true;
+  agent.proprioception.wanted |= MIMO_PROPRIOCEPTION_JOINT_TORQUE;
   env::EnvOptions options = without_renderer();
   options.frame_skip = 1;
   const auto world = benchmark_world(agent, options);

@@ -36,11 +36,10 @@ std::string scene_with_block(double height) {
 env::AgentOptions listener() {
   env::AgentOptions options = blind();
   options.root = "listener";
-  options.vestibular = {false, false, {}, ""};
-  options.proprioception = {false, false, false, false, false};
-  options.actuation.felt = false;
-  options.touch.force = false;
-  options.hearing = {true, true};
+  options.vestibular.wanted = 0;
+  options.proprioception.wanted = 0;
+  options.touch.wanted = 0;
+  options.hearing.wanted = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   return options;
 }
 

@@ -16,8 +16,8 @@ constexpr double kG = 9.81, kGain = 46.165;  // static, (spikes/s)/g
 
 env::AgentOptions balanced() {
   env::AgentOptions options = blind();
-  options.touch.force = false;
-  options.vestibular.labyrinth = {true, true, true};
+  options.touch.wanted = 0;
+  options.vestibular.wanted |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
   return options;
 }
 
@@ -33,8 +33,7 @@ engine::ModelPtr head_on_hinge() { return compile(scene::Scene(from_text(kHead))
 env::AgentOptions on_hinge() {
   env::AgentOptions options = balanced();
   options.root = options.vestibular.at = "head";
-  options.proprioception = {false, false, false, false, false};
-  options.actuation.felt = false;
+  options.proprioception.wanted = 0;
   return options;
 }
 

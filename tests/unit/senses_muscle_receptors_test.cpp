@@ -24,9 +24,9 @@ constexpr const char* kElbow = R"(
 env::AgentOptions of_elbow() {
   env::AgentOptions options = blind();
   options.root = "arm";
-  options.vestibular = {false, false, {}, ""};
-  options.touch.force = false;
-  options.proprioception.receptors = {true, true, true, true};
+  options.vestibular.wanted = 0;
+  options.touch.wanted = 0;
+  options.proprioception.wanted |= senses::kMuscleReceptors;
   return options;
 }
 
@@ -101,7 +101,7 @@ TEST(MuscleReceptors, RefuseRatesThatNoNeuronHas) {
     EXPECT_EQ(get(*world, kDrive, {0}), kUsual);
   }
   env::AgentOptions without = of_elbow();
-  without.proprioception.receptors = {false, false, true, true};
+  without.proprioception.wanted &= ~senses::kSpindles;
   EXPECT_TRUE(get(*elbow(without), kDrive, {0}).empty());
 }
 
@@ -142,7 +142,7 @@ TEST(MuscleReceptors, TendonOrgansTellWhatPositionControlHolds) {
 // Attached to a host's simulation they tell the same bytes, under the same drive, before and after a load.
 TEST(MuscleReceptors, AttachedTheyTellTheSame) {
   env::AgentOptions options = of_elbow();
-  options.actuation.felt = false;
+  options.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_ACTUATION;
   const auto world = elbow(options);
   Observation block(*world);
   world->reset(nullptr, block.data());
@@ -194,7 +194,7 @@ TEST(MuscleReceptors, AnInfantHasTwoMusclesAMotor) {
   for (const actuation::Mode mode : {actuation::Mode::kTorque, actuation::Mode::kMuscle}) {
     env::AgentOptions options = blind();
     options.actuation.mode = mode;
-    options.proprioception.receptors = {true, true, true, true};
+    options.proprioception.wanted |= senses::kMuscleReceptors;
     const auto world = benchmark_world(options, without_renderer());
     Observation block(*world);
     world->reset(nullptr, block.data());

@@ -16,7 +16,7 @@ using engine::Kind;
 
 env::AgentOptions all_of_proprioception() {
   env::AgentOptions options = blind();
-  options.proprioception.joint_torque = true;
+  options.proprioception.wanted |= MIMO_PROPRIOCEPTION_JOINT_TORQUE;
   return options;
 }
 

@@ -29,14 +29,11 @@ constexpr const char* kPalm = R"(
 env::AgentOptions palm() {
   env::AgentOptions options = blind();
   options.root = "left_hand";
-  options.vestibular = {false, false, {}, ""};
-  options.proprioception = {false, false, false, false, false};
-  options.actuation.felt = false;
+  options.vestibular.wanted = 0;
+  options.proprioception.wanted = 0;
   options.touch.everywhere = kSpacing;
   options.touch.response = senses::touch::Response::kNearest;
-  options.touch.normal_force = true;
-  options.touch.force = false;
-  options.touch.receptors = {true, true, true, true, true, true, true, true, true, true};
+  options.touch.wanted = MIMO_TOUCH_NORMAL_FORCE | senses::kSkinNerves;
   return options;
 }
 

@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Touch,
 
 TEST(TouchInfant, FieldsAreDescribed) {
   env::AgentOptions options = blind();
-  options.touch.slip = options.touch.friction_use = true;
+  options.touch.wanted |= MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
   options.touch.frame = TouchFrame::kSkin;
   const auto world = benchmark_world(options);
   std::map<std::string, const observation::Field*> fields;

@@ -17,8 +17,8 @@ constexpr double kRate = 16000;
 env::AgentOptions speaker(const std::string& name = "") {
   env::AgentOptions options = blind();
   options.name = name;
-  options.touch.force = false;
-  options.hearing = {true, false};
+  options.touch.wanted = 0;
+  options.hearing.wanted = MIMO_HEARING_EARS;
   options.voice = true;
   return options;
 }
@@ -182,11 +182,10 @@ std::vector<float> sliding_block(double speed, int frame_skip, const char* mater
 </mujoco>)")));
   env::AgentOptions options = blind();
   options.root = "listener";
-  options.vestibular = {false, false, {}, ""};
-  options.proprioception = {false, false, false, false, false};
-  options.actuation.felt = false;
-  options.touch.force = false;
-  options.hearing = {true, false};
+  options.vestibular.wanted = 0;
+  options.proprioception.wanted = 0;
+  options.touch.wanted = 0;
+  options.hearing.wanted = MIMO_HEARING_EARS;
   env::EnvOptions world_options = without_renderer();
   world_options.frame_skip = frame_skip;
   world_options.things = {{"block", std::nullopt, material}, {"table", std::nullopt, material}};

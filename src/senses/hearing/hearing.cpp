@@ -9,7 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/bits.h"
 #include "base/fail.h"
+#include "mimo/experimental/hearing.h"
 #include "observation/signals.h"
 
 namespace mimo::senses {
@@ -80,9 +82,10 @@ class Hearing : public observation::Sense {
       : reception_(*reception), options_(options) {
     const Soundscape& around = *setting.around;
     for (const char* ear : kEarNames) {
-      if (options.ears) fields_.push_back(wave(ear, setting.ticks * around.samples(), around.rate()));
+      if (has_bit(options.wanted, MIMO_HEARING_EARS))
+        fields_.push_back(wave(ear, setting.ticks * around.samples(), around.rate()));
     }
-    if (options.bands) {
+    if (has_bit(options.wanted, MIMO_HEARING_BANDS)) {
       fields_.push_back(bands());
       fields_.push_back(time_difference());
     }
@@ -93,12 +96,12 @@ class Hearing : public observation::Sense {
 
   void write(const mjModel&, const mjData&, std::uint8_t* block) override {
     std::size_t field = 0;
-    if (options_.ears) {
+    if (has_bit(options_.wanted, MIMO_HEARING_EARS)) {
       for (std::size_t ear = 0; ear < kEars; ++ear, ++field) {
         reception_.ears().latest(ear, Span<float>(at<float>(block, field), fields_[field].count()));
       }
     }
-    if (!options_.bands) return;
+    if (!has_bit(options_.wanted, MIMO_HEARING_BANDS)) return;
     const hearing::Heard heard = reception_.heard();
     float* levels = at<float>(block, field);
     for (const auto& ear : heard.levels) levels = std::copy(ear.begin(), ear.end(), levels);

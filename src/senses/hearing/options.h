@@ -3,16 +3,14 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace mimo::senses {
 
 struct HearingOptions {
-  bool ears = false;   // hearing/ear_left, hearing/ear_right
-  bool bands = false;  // hearing/bands, hearing/time_difference
-
-  bool any() const { return ears || bands; }
+  std::uint32_t wanted = 0;  // MIMO_HEARING_ bits
 };
 
 // From where and whereto a body plays, in its frame.

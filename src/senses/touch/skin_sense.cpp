@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/bits.h"
 #include "observation/signals.h"
 #include "receptors/nociceptors.h"
 #include "senses/touch/pain.h"
@@ -24,17 +25,17 @@ class Nerves : public observation::Process {
         skin_(std::move(skin)),
         things_(std::move(things)),
         patches_(touch::patches(model, body, *skin_)),
-        wants_warmth_(options.receptors.warmth() || options.receptors.pain()),
-        wants_pain_(options.receptors.pain()),
-        wants_rates_of_warmth_(options.receptors.cold || options.receptors.warm),
-        felt_(*skin_, options.response, {options.receptors.touch() || wants_pain_, wants_pain_, options.slip_threshold},
-              *things_),
+        wants_warmth_(has_bit(options.wanted, kWarmthNerves | kPainNerves)),
+        wants_pain_(has_bit(options.wanted, kPainNerves)),
+        wants_rates_of_warmth_(has_bit(options.wanted, MIMO_TOUCH_COLD | MIMO_TOUCH_WARM)),
+        felt_(*skin_, options.response,
+              {has_bit(options.wanted, kTouchNerves | kPainNerves), wants_pain_, options.slip_threshold}, *things_),
         rattle_(rattle),
         afferents_(patches_, rattle, options.slip_threshold, tick),
         warmth_(patches_, *things_, tick),
         pain_(patches_, tick) {}
 
-  std::vector<Signal> signals(const SkinReceptorOptions& wanted) const;
+  std::vector<Signal> signals(std::uint32_t wanted) const;
 
  private:
   void rest(const mjModel& model, const mjData& data) override {
@@ -153,25 +154,25 @@ Signal Nerves::units() const {
   return signal;
 }
 
-std::vector<Signal> Nerves::signals(const SkinReceptorOptions& wanted) const {
+std::vector<Signal> Nerves::signals(std::uint32_t wanted) const {
   std::vector<Signal> signals;
   // Thinner nerves than those of touch are slower: cold 6.3 and warm 0.7 m/s (Hensel and Iggo 1971), pain 13 and 0.8.
-  const auto add = [&](bool is, Signal signal, double share = 1, double speed = 0) {
-    if (!is) return;
+  const auto add = [&](std::uint32_t bit, Signal signal, double share = 1, double speed = 0) {
+    if (!has_bit(wanted, bit)) return;
     signal.field.nerve_share = share;
     signal.field.nerve_speed = speed;
     signals.push_back(std::move(signal));
   };
-  add(wanted.sa1, rate("sa1", touch::Afferents::kSa1));
-  add(wanted.ra, rate("ra", touch::Afferents::kRa));
-  add(wanted.pc, rate("pc", touch::Afferents::kPc));
-  add(wanted.sa2, stretch());
-  add(wanted.temperature, told("temperature", warmth_.temperature(), "degC"));
-  add(wanted.cold, told("cold", warmth_.cold()), 6.3 / 56);
-  add(wanted.warm, told("warm", warmth_.warm()), 1, 0.7);
-  add(wanted.nociception_fast, rate("nociception_fast", touch::Pain::kFast), receptors::kFastShare);
-  add(wanted.nociception_slow, rate("nociception_slow", touch::Pain::kSlow), 1, receptors::kSlowSpeed);
-  add(wanted.units, units());
+  add(MIMO_TOUCH_SA1, rate("sa1", touch::Afferents::kSa1));
+  add(MIMO_TOUCH_RA, rate("ra", touch::Afferents::kRa));
+  add(MIMO_TOUCH_PC, rate("pc", touch::Afferents::kPc));
+  add(MIMO_TOUCH_SA2, stretch());
+  add(MIMO_TOUCH_TEMPERATURE, told("temperature", warmth_.temperature(), "degC"));
+  add(MIMO_TOUCH_COLD, told("cold", warmth_.cold()), 6.3 / 56);
+  add(MIMO_TOUCH_WARM, told("warm", warmth_.warm()), 1, 0.7);
+  add(MIMO_TOUCH_NOCICEPTION_FAST, rate("nociception_fast", touch::Pain::kFast), receptors::kFastShare);
+  add(MIMO_TOUCH_NOCICEPTION_SLOW, rate("nociception_slow", touch::Pain::kSlow), 1, receptors::kSlowSpeed);
+  add(MIMO_TOUCH_UNITS, units());
   return signals;
 }
 
@@ -182,7 +183,7 @@ std::unique_ptr<observation::Sense> make_skin_sense(const mjModel& model, const 
                                                     const TouchOptions& options, touch::ThingsPtr things, double tick) {
   auto rattle = std::make_unique<touch::Rattle>(skin->sensors().size(), things->all.size(), tick);
   auto nerves = std::make_unique<Nerves>(model, body, std::move(skin), options, std::move(things), *rattle, tick);
-  auto sense = std::make_unique<observation::Signals>(observation::Share::kTouch, nerves->signals(options.receptors));
+  auto sense = std::make_unique<observation::Signals>(observation::Share::kTouch, nerves->signals(options.wanted));
   sense->keep(std::move(rattle));
   sense->keep(std::move(nerves));
   return sense;

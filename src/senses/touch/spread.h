@@ -3,15 +3,16 @@
 
 #include <vector>
 
+#include "mimo/agent.h"
 #include "senses/touch/skin.h"
 
 namespace mimo::senses::touch {
 
-// As mimo.h numbers them (MIMO_RESPONSE_NEAREST ...). The distance d runs along the skin, s is the spacing.
-enum class Response : int {
-  kNearest = 1,   // the nearest sensor feels everything
-  kLinear = 2,    // 1 - d / 2s
-  kGaussian = 3,  // exp(-d^2 / 2 sigma^2) with sigma = 2s/3; nothing beyond 2s
+// Of the header. The distance d runs along the skin, s is the spacing.
+enum class Response : std::int32_t {
+  kNearest = MIMO_RESPONSE_NEAREST,    // the nearest sensor feels everything
+  kLinear = MIMO_RESPONSE_LINEAR,      // 1 - d / 2s
+  kGaussian = MIMO_RESPONSE_GAUSSIAN,  // exp(-d^2 / 2 sigma^2) with sigma = 2s/3; nothing beyond 2s
 };
 
 struct Share {

@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "base/bits.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/header.h"
 #include "base/names.h"
 #include "engine/custom.h"
 #include "senses/touch/spacing.h"
@@ -19,6 +21,9 @@ using touch::Vec3;
 namespace {
 
 using engine::Kind;
+
+static_assert((MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE | kSkinNerves) ==
+              header::kTouch);
 
 const char* frame_name(TouchFrame frame) {
   switch (frame) {
@@ -79,18 +84,18 @@ Touch::Touch(std::shared_ptr<const touch::Skin> skin, const TouchOptions& option
     : options_(options), skin_(std::move(skin)), spread_(*skin_, options.response) {
   check_outputs(options);
   const char* frame = frame_name(options.frame);
-  force_ = add(options.force, "touch/force", 3, "N", frame);
-  normal_force_ = add(options.normal_force, "touch/force", 1, "N", "");
-  slip_ = add(options.slip, "touch/slip", 2, "m/s", "skin");
-  friction_use_ = add(options.friction_use, "touch/friction_use", 1, "", "");
+  force_ = add(MIMO_TOUCH_FORCE, "touch/force", 3, "N", frame);
+  normal_force_ = add(MIMO_TOUCH_NORMAL_FORCE, "touch/force", 1, "N", "");
+  slip_ = add(MIMO_TOUCH_SLIP, "touch/slip", 2, "m/s", "skin");
+  friction_use_ = add(MIMO_TOUCH_FRICTION_USE, "touch/friction_use", 1, "", "");
   if (slip_ == kNone && friction_use_ == kNone) return;
   pressure_.resize(skin_->sensors().size());
   pressed_.reserve(skin_->sensors().size());
 }
 
-int Touch::add(bool wanted, const char* name, std::size_t width, const char* unit, const char* frame) {
+int Touch::add(std::uint32_t bit, const char* name, std::size_t width, const char* unit, const char* frame) {
   const std::size_t sensors = skin_->sensors().size();
-  if (!wanted || sensors == 0) return kNone;
+  if (!has_bit(options_.wanted, bit) || sensors == 0) return kNone;
   observation::Field field;
   field.name = name;
   field.shape = {sensors, width};

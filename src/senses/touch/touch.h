@@ -23,7 +23,7 @@ class Touch : public observation::Sense {
 
  private:
   static constexpr int kNone = -1;
-  int add(bool wanted, const char* name, std::size_t width, const char* unit, const char* frame);
+  int add(std::uint32_t bit, const char* name, std::size_t width, const char* unit, const char* frame);
   float* output(std::uint8_t* block, int field) const {
     return field == kNone ? nullptr : at<float>(block, static_cast<std::size_t>(field));
   }

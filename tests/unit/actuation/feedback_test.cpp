@@ -27,9 +27,9 @@ class FeedbackTest : public ::testing::Test {
     physics_.forward();
   }
 
-  actuation::Feedback felt(const actuation::Options& options) {
+  actuation::Feedback felt(const actuation::Options& options, std::uint32_t wanted = MIMO_PROPRIOCEPTION_ACTUATION) {
     actuation_ = actuation::make_actuation(physics_.model(), body_, options);
-    return actuation_->feedback(physics_.model(), body_, options);
+    return actuation_->feedback(physics_.model(), body_, wanted);
   }
   // Of a signal that is a single number.
   double value(const observation::Signal& signal) const {
@@ -87,15 +87,13 @@ TEST_F(FeedbackTest, WhatOthersCommandIsFeltAsWell) {
 TEST_F(FeedbackTest, EffortComesOnlyWhereItIsWanted) {
   actuation::Options options;
   EXPECT_TRUE(felt(options).exertion.empty());
-  options.felt = false;
-  options.effort = true;
-  const auto torque = felt(options);
+  const auto torque = felt(options, MIMO_PROPRIOCEPTION_EFFORT);
   EXPECT_TRUE(torque.commands.empty());
   ASSERT_EQ(torque.exertion.size(), 1u);
   EXPECT_EQ(torque.exertion[0].field.name, "proprioception/effort");
   EXPECT_EQ(value(torque.exertion[0]), 0.25);
   options.mode = Mode::kPosition;
-  EXPECT_EQ(value(felt(options).exertion.at(0)), 0);
+  EXPECT_EQ(value(felt(options, MIMO_PROPRIOCEPTION_EFFORT).exertion.at(0)), 0);
 }
 
 class WithoutLock : public FeedbackTest {

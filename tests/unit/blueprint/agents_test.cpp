@@ -19,9 +19,9 @@ Blueprint two_rods() {
 AgentPlan part(const std::string& name, const std::string& root) {
   AgentPlan plan = infant(name);
   plan.options.root = root;
-  plan.options.proprioception.torque = false;
-  plan.options.vestibular = {false, false, {}, ""};
-  plan.options.touch.force = false;
+  plan.options.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_TORQUE;
+  plan.options.vestibular.wanted = 0;
+  plan.options.touch.wanted = 0;
   plan.body = "scene";
   return plan;
 }
@@ -103,17 +103,6 @@ TEST(BlueprintAgents, WhatTheyReadAndFeel) {
     EXPECT_EQ(refusal(blueprint, [&](SceneEdit& edit) { edit.agents.limit_sense(nobody, "touch", {}); }),
               "agent is " + std::to_string(nobody) + ", but there are 1 agents");
   }
-}
-
-TEST(BlueprintAgents, AreUsuallyWhatTheirSceneWants) {
-  const AgentPlan standing = blueprint::usual_agent(scene::Scene(named("standup")));
-  EXPECT_EQ(standing.body, "mitten");
-  EXPECT_TRUE(standing.options.proprioception.any() && standing.options.actuation.felt &&
-              standing.options.vestibular.any());
-  EXPECT_FALSE(standing.options.vision.any() || standing.options.touch.any());
-  const AgentPlan catching = blueprint::usual_agent(scene::Scene(named("catch")));
-  EXPECT_EQ(catching.body, "fingers");
-  EXPECT_EQ(catching.options.actuation.mode, actuation::Mode::kMuscle);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Blueprint, WhatIsRefusedChangesNothing) {
   blueprint::CameraPlan again = new_camera("aside");
   again.placed.reset();  // the scene has it
   blueprint::CameraPlan blank = new_camera("blank");
-  blank.options.vision.rgb = false;
+  blank.options.vision.wanted = 0;
   EXPECT_NE(joining(blueprint, infant_at("anna", 2)), "");
   EXPECT_NE(joining(blueprint, infant("ben")), "");
   EXPECT_NE(joining(blueprint, nobody), "");

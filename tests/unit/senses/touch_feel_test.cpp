@@ -92,7 +92,7 @@ TEST_P(TouchFeel, PressureIsNegativeAlongTheSkinsNormal) {
 
 TEST(Touch, ForceAndNormalForceExcludeEachOther) {
   TouchOptions options;
-  options.normal_force = options.slip = true;
+  options.wanted |= MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP;
   try {
     const Feeler feeler(cube(), {{kCubeBody, 0.008}}, options);
     FAIL() << "not refused";
@@ -104,8 +104,7 @@ TEST(Touch, ForceAndNormalForceExcludeEachOther) {
 
 TEST_P(TouchFeel, NormalForceAlone) {
   TouchOptions options;
-  options.force = false;
-  options.normal_force = true;
+  options.wanted = MIMO_TOUCH_NORMAL_FORCE;
   options.response = GetParam();
   Feeler feeler(cube(), {{kCubeBody, 0.008}}, options);
   EXPECT_EQ(feeler.field("touch/force").shape, (std::vector<std::size_t>{feeler.sensors().size(), 1}));
@@ -161,7 +160,7 @@ TEST(TouchFeel, WithoutSkinThereAreNoFields) {
 
 TEST(TouchFeel, NeverWritesToTheSimulation) {
   TouchOptions options;
-  options.slip = options.friction_use = true;
+  options.wanted |= MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
   Feeler feeler(cube(), {{kCubeBody, 0.008}, {3, 0.004}}, options);
   push(feeler, 0);
   const mjData& data = feeler.physics.data();

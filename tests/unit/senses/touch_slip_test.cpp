@@ -29,8 +29,7 @@ engine::ModelPtr slope(double angle, const std::string& cone) {
 
 TouchOptions all_outputs() {
   TouchOptions options;
-  options.slip = options.friction_use = options.normal_force = true;
-  options.force = false;
+  options.wanted = MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE | MIMO_TOUCH_NORMAL_FORCE;
   return options;
 }
 
