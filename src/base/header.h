@@ -8,6 +8,7 @@
 
 namespace mimo::header {
 
+constexpr std::uint32_t kReplay = 0x3;
 constexpr std::uint32_t kMature = 0x1f;
 constexpr std::uint32_t kProprioception = 0x7ff;
 constexpr std::uint32_t kVision = 0x7;

@@ -100,6 +100,8 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   return options;
 }
 
+}  // namespace
+
 mimo_agent_config default_agent_config() {
   const env::AgentOptions ours;
   mimo_agent_config config{};
@@ -121,7 +123,6 @@ mimo_agent_config default_agent_config() {
   return config;
 }
 
-// What the scene gives its infant by default.
 mimo_agent_config default_agent_config(const scene::Scene& scene) {
   mimo_agent_config config = default_agent_config();
   const scene::UsualInfant usual = scene.usual_infant();

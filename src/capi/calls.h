@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "blueprint/blueprint.h"
+#include "capi/check.h"
 #include "capi/members.h"
 #include "capi/structs.h"
 
