@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "env/attached.h"
 #include "hearing/head.h"
+#include "mimo/experimental/hearing.h"
 #include "support/block.h"
 #include "support/scenes.h"
 

@@ -6,6 +6,7 @@
 
 #include "base/fail.h"
 #include "env/attached.h"
+#include "mimo/experimental/hearing.h"
 #include "support/block.h"
 #include "support/scenes.h"
 
