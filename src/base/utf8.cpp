@@ -65,4 +65,22 @@ std::string as_line(const std::string& text) {
   return line;
 }
 
+std::string as_json(const std::string& text) {
+  std::string quoted = "\"";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t bytes = letter_at(text, at);
+    const char letter = text[at];
+    if (bytes == 0) {
+      quoted += "\\ufffd";
+    } else if (bytes == 1 && static_cast<unsigned char>(letter) < 0x20) {
+      quoted += format("\\u{:04x}", static_cast<unsigned>(letter));
+    } else {
+      if (letter == '"' || letter == '\\') quoted += '\\';
+      quoted.append(text, at, bytes);
+    }
+    at += bytes == 0 ? 1 : bytes;
+  }
+  return quoted + '"';
+}
+
 }  // namespace mimo

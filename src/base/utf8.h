@@ -9,4 +9,7 @@ namespace mimo {
 // belongs to no letter, and escapes as in C for control characters and whatever else ends a line ("\n", "\x1b").
 std::string as_line(const std::string& text);
 
+// The text as a string of JSON, with its quotes.
+std::string as_json(const std::string& text);
+
 }  // namespace mimo

@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <initializer_list>
+#include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
+#include "base/format.h"
+#include "base/utf8.h"
 #include "blueprint/blueprint.h"
 #include "capi/check.h"
 #include "capi/members.h"
@@ -13,7 +18,52 @@
 
 namespace mimo::capi {
 
-using Json = nlohmann::ordered_json;
+// A value of JSON, as text. Values of a library for JSON allocate in their destructors: where memory runs out, that
+// ends the process.
+class Json {
+ public:
+  using Member = std::pair<const char*, Json>;
+
+  Json(std::nullptr_t) : text_("null") {}
+  Json(const char* text) : text_(as_json(text)) {}
+  Json(const std::string& text) : text_(as_json(text)) {}
+  Json(std::initializer_list<Member> members) : text_("{") {
+    for (const Member& member : members) add(member.first, member.second);
+    text_ += '}';
+  }
+  template <typename T, std::enable_if_t<std::is_arithmetic_v<T>, int> = 0>
+  Json(T number) : text_(format("{}", number)) {}
+  // A list.
+  template <typename T>
+  Json(const std::vector<T>& values) : text_("[") {
+    for (const T& value : values) text_ += (text_.size() > 1 ? "," : "") + Json(value).text_;
+    text_ += ']';
+  }
+  // An object whose members a function gives, which is handed add(name, value).
+  template <typename Visit>
+  static Json object(Visit&& visit) {
+    Json json(std::initializer_list<Member>{});
+    json.text_ = "{";
+    visit([&](const char* name, const Json& value) { json.add(name, value); });
+    json.text_ += '}';
+    return json;
+  }
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void add(const char* name, const Json& value) {
+    if (text_.size() > 1) text_ += ',';
+    text_ += as_json(name) + ':' + value.text_;
+  }
+
+  std::string text_;
+};
+
+inline Json text_or_null(const char* given) { return given == nullptr ? Json(nullptr) : Json(given); }
+
+// JSON has no infinite numbers.
+inline Json number_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 template <typename T>
 Json json_of_member(const T& member) {
@@ -26,23 +76,16 @@ Json json_of_member(const T& member) {
   }
 }
 
-inline Json text_or_null(const char* given) { return given == nullptr ? Json(nullptr) : Json(given); }
-
-// JSON has no infinite numbers.
-inline Json number_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
-
 // The members of a struct that are numbers and texts.
 template <typename Struct>
 Json json_of(Struct all) {
-  Json json = Json::object();
-  for_each_member(all, [&](const char* name, const auto& member) { json[name] = json_of_member(member); });
-  return json;
+  return Json::object([&](auto&& add) {
+    for_each_member(all, [&](const char* name, const auto& member) { add(name, json_of_member(member)); });
+  });
 }
 
 // Keeps a call, {"call": "limit_sense", ...}, named as the function is behind mimo_scene_.
-inline void note(blueprint::SceneEdit& edit, const Json& call) {
-  edit.calls.push_back(call.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
+inline void note(blueprint::SceneEdit& edit, const Json& call) { edit.calls.push_back(call.text()); }
 
 // Of agents whose bodies the scene has by then.
 inline Json call_of_agents(const char* call, mimo_agent_config config) {

@@ -55,7 +55,7 @@ std::vector<tasks::Term> terms_of(const TaskPlan& plan) {
 
 // All but what it does.
 Json json_of(const TaskPlan& plan) {
-  Json fields = Json::array();
+  std::vector<Json> fields;
   for (const observation::Field& field : plan.fields) {
     fields.push_back({{"name", field.name},
                       {"unit", field.unit},
@@ -228,15 +228,15 @@ mimo_status mimo_scene_set_task(mimo_scene* scene, const mimo_task* task) noexce
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     env::CustomTask own;
-    Json call = {{"call", "set_task"}, {"task", nullptr}};
+    Json described = nullptr;
     if (task != nullptr) {
       const std::shared_ptr<const TaskPlan> plan = task_plan(read_struct(task, "task"));
       own = maker(plan);
-      call["task"] = json_of(*plan);
+      described = json_of(*plan);
     }
     blueprint.edit([&](blueprint::SceneEdit& edit) {
       edit.task = std::move(own);
-      note(edit, call);
+      note(edit, {{"call", "set_task"}, {"task", described}});
     });
   });
 }

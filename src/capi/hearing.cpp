@@ -56,8 +56,8 @@ mimo_status mimo_scene_direct_source(mimo_scene* scene, const char* body, const 
       edit.play.directions.push_back(direction);
       note(edit, {{"call", "direct_source"},
                   {"body", direction.body},
-                  {"place", {place[0], place[1], place[2]}},
-                  {"axis", {axis[0], axis[1], axis[2]}},
+                  {"place", std::vector<double>(place, place + 3)},
+                  {"axis", std::vector<double>(axis, axis + 3)},
                   {"directivity", directivity}});
     });
   });

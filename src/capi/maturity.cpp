@@ -92,15 +92,15 @@ mimo_status mimo_scene_set_maturity(mimo_scene* scene, size_t agent, const mimo_
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     std::optional<env::Maturity> ours;
-    Json call = {{"call", "set_maturity"}, {"agent", agent}, {"maturity", nullptr}};
+    Json described = nullptr;
     if (maturity != nullptr) {
       const mimo_maturity config = read_struct(maturity, perfect(), "maturity");
       ours = env::Maturity{eyes_from(config), nerves_from(config)};
-      call["maturity"] = json_of(config);
+      described = json_of(config);
     }
     blueprint.edit([&](blueprint::SceneEdit& edit) {
       edit.agents.set_maturity(agent, ours);
-      note(edit, call);
+      note(edit, {{"call", "set_maturity"}, {"agent", agent}, {"maturity", described}});
     });
   });
 }

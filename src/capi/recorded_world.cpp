@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/format.h"
@@ -15,6 +16,8 @@
 namespace mimo::capi {
 namespace {
 
+using ReadJson = nlohmann::ordered_json;
+
 constexpr std::size_t kMostCalls = 10000;
 
 void check(mimo_status status) {
@@ -24,20 +27,20 @@ void check(mimo_status status) {
 [[noreturn]] void fail_damaged(const std::string& what) { fail(Status::kFile, "'world' of the recording: {}", what); }
 
 template <typename T>
-bool fits(const Json& json) {
+bool fits(const ReadJson& json) {
   if constexpr (std::is_floating_point_v<T>) {
     return json.is_number();
   } else {
-    return json.is_number_integer() && json == Json(json.get<T>());
+    return json.is_number_integer() && json == ReadJson(json.get<T>());
   }
 }
 
 // The arguments of one call. Texts live as long as this.
 class Arguments {
  public:
-  explicit Arguments(const Json& call) : call_(call) {}
+  explicit Arguments(const ReadJson& call) : call_(call) {}
 
-  const Json& at(const char* name) const {
+  const ReadJson& at(const char* name) const {
     const auto found = call_.find(name);
     if (found == call_.end()) fail_damaged(format("{} lacks \"{}\"", call_.dump().substr(0, 100), name));
     return *found;
@@ -49,21 +52,21 @@ class Arguments {
   }
   // May be null.
   const char* text(const char* name) { return is_null(name) ? nullptr : text_of(at(name), name); }
-  std::vector<const char*> texts(const Json& list, const char* name) {
+  std::vector<const char*> texts(const ReadJson& list, const char* name) {
     std::vector<const char*> all;
-    for (const Json& one : list_of(list, name)) all.push_back(text_of(one, name));
+    for (const ReadJson& one : list_of(list, name)) all.push_back(text_of(one, name));
     return all;
   }
   template <typename T>
-  std::vector<T> numbers(const Json& list, const char* name) const {
+  std::vector<T> numbers(const ReadJson& list, const char* name) const {
     std::vector<T> all;
-    for (const Json& one : list_of(list, name)) all.push_back(number_of<T>(one, name));
+    for (const ReadJson& one : list_of(list, name)) all.push_back(number_of<T>(one, name));
     return all;
   }
   // What is not said stays as it is.
   template <typename Struct>
   void read(const char* name, Struct& all) {
-    const Json& json = at(name);
+    const ReadJson& json = at(name);
     if (!json.is_object()) fail_damaged(format("\"{}\" is no object", name));
     std::size_t known = 0;
     for_each_member(all, [&](const char* member, auto& value) {
@@ -76,23 +79,23 @@ class Arguments {
     fail(Status::kUnsupported, "the recording was made by a newer library: \"{}\" has members that are not known here",
          name);
   }
-  const char* text_of(const Json& json, const char* name) {
+  const char* text_of(const ReadJson& json, const char* name) {
     if (!json.is_string()) fail_damaged(format("\"{}\" is no text", name));
     return texts_.emplace_back(json.get<std::string>()).c_str();
   }
 
  private:
   template <typename T>
-  static T number_of(const Json& json, const char* name) {
+  static T number_of(const ReadJson& json, const char* name) {
     if (!fits<T>(json)) fail_damaged(format("\"{}\" is no number that it can be", name));
     return json.get<T>();
   }
-  static const Json& list_of(const Json& json, const char* name) {
+  static const ReadJson& list_of(const ReadJson& json, const char* name) {
     if (!json.is_array()) fail_damaged(format("\"{}\" is no list", name));
     return json;
   }
   template <typename T>
-  void take(const Json& json, const char* name, T& value) {
+  void take(const ReadJson& json, const char* name, T& value) {
     if constexpr (std::is_same_v<T, const char*>) {
       value = text_of(json, name);
     } else if constexpr (std::is_array_v<T>) {
@@ -104,7 +107,7 @@ class Arguments {
     }
   }
 
-  const Json& call_;
+  const ReadJson& call_;
   std::deque<std::string> texts_;
 };
 
@@ -145,7 +148,7 @@ class RecordedScene {
   RecordedScene(const RecordedScene&) = delete;
   RecordedScene& operator=(const RecordedScene&) = delete;
 
-  void call(const Json& call);
+  void call(const ReadJson& call);
   blueprint::Blueprint& blueprint() const { return open(scene_).blueprint; }
   const mimo_env_config& config() const { return config_; }
   const char* renderer() const { return renderer_.c_str(); }
@@ -257,7 +260,7 @@ class RecordedScene {
     task.term_count = terms.size();
     std::vector<mimo_task_field> fields;
     std::deque<std::vector<std::size_t>> shapes;
-    for (const Json& one : said.at("fields")) {
+    for (const ReadJson& one : said.at("fields")) {
       Arguments field(one);
       mimo_task_field& ours = fields.emplace_back();
       check(mimo_task_field_init(&ours, sizeof ours));
@@ -310,7 +313,7 @@ const std::pair<const char*, RecordedScene::Make> RecordedScene::kCalls[] = {
     {"set_touch", &RecordedScene::set_touch},
 };
 
-void RecordedScene::call(const Json& call) {
+void RecordedScene::call(const ReadJson& call) {
   if (!call.is_object()) fail_damaged("a call is no object");
   Arguments given(call);
   const std::string name = given.text_of(given.at("call"), "call");
@@ -320,8 +323,8 @@ void RecordedScene::call(const Json& call) {
   fail(Status::kUnsupported, "the recording was made by a newer library: \"{}\" is not known here", name);
 }
 
-Json calls_of(const recording::Recording& recording) {
-  Json calls = Json::parse(recording.world(), nullptr, false);
+ReadJson calls_of(const recording::Recording& recording) {
+  ReadJson calls = ReadJson::parse(recording.world(), nullptr, false);
   if (!calls.is_array()) fail_damaged("it is no list");
   if (calls.size() > kMostCalls) fail_damaged(format("it has {} calls", calls.size()));
   return calls;
@@ -363,7 +366,7 @@ std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Record
   if (given) source.log = log_sink(given->log, given->log_user);
   RecordedScene scene(source, wanted);
   try {
-    for (const Json& call : calls_of(*recording)) scene.call(call);
+    for (const ReadJson& call : calls_of(*recording)) scene.call(call);
   } catch (const Error& error) {
     if (error.status() != Status::kInvalidArgument || wanted) throw;
     fail_damaged(error.message());
@@ -377,7 +380,8 @@ std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Record
   const auto file = recording->bodies() > 1 ? recording : nullptr;
   const auto described_at = [file, ages, edit = scene.blueprint().current()](const blueprint::Growths& growths) {
     if (growths == ages) return edit;
-    if (file == nullptr) fail(Status::kUnsupported, "growth: the recording holds its scene with infants of one age only");
+    if (file == nullptr)
+      fail(Status::kUnsupported, "growth: the recording holds its scene with infants of one age only");
     blueprint::SceneEdit at = edit;
     at.scene = scene::Scene(file->scene(growths));
     at.agents.be_as_old_as(growths);

@@ -10,6 +10,7 @@
 #ifndef MIMO_EXPERIMENTAL_RECORDING_H
 #define MIMO_EXPERIMENTAL_RECORDING_H
 
+#include "../agent.h"
 #include "../env.h"
 
 #ifdef __cplusplus
