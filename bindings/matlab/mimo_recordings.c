@@ -51,7 +51,7 @@ static mimo_recording* open_recording;
 
 static void check(mimo_status status) {
   if (status == MIMO_OK) return;
-  mimo_recording_destroy(open_recording);
+  mimo_recording_close(open_recording);
   open_recording = NULL;
   mimo_check(status);
 }
@@ -61,7 +61,7 @@ static void open_file(const mxArray* file) {
 }
 
 static void close_file(void) {
-  mimo_recording_destroy(open_recording);
+  mimo_recording_close(open_recording);
   open_recording = NULL;
 }
 

@@ -55,7 +55,7 @@ int main(void) {
   for (; from < info.steps; ++from) check(mimo_recording_step(recording, twin, NULL, 0, NULL));
   check(mimo_recording_report(recording, &report));
   printf("%zu steps again: %s\n", report.steps, report.identical ? "identical" : report.differs_most_in);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(twin);
   remove("record_example.h5");
   return report.identical ? 0 : 1;

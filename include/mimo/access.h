@@ -161,7 +161,7 @@ MIMO_API mimo_status mimo_env_count(const mimo_env *env, mimo_kind kind, size_t 
  */
 MIMO_API mimo_status mimo_env_find(const mimo_env *env, mimo_kind kind, const char *name, int32_t *id) MIMO_NOEXCEPT;
 
-/** Name of an element; "" if it has none. The string is owned by the environment. */
+/** Name of an element; "" if it has none. The environment owns the string, until a reset to another age. */
 MIMO_API mimo_status mimo_env_name(const mimo_env *env, mimo_kind kind, int32_t id, const char **name) MIMO_NOEXCEPT;
 
 /** The body that a joint, geom, site, camera or light belongs to, or the parent of a body. */

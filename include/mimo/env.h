@@ -75,7 +75,7 @@ typedef struct mimo_agent_info {
   uint32_t action_offset; /**< Index of its first action in the action array. */
   uint32_t action_count;  /**< Number of its actions. */
   uint32_t reserved;      /**< 0. */
-  const char *name;       /**< Owned by the environment. */
+  const char *name;       /**< Owned by the environment, until a reset to another age. */
   double mass;            /**< Mass of its body in the model, kg; setting MIMO_BODY_MASS does not change it. */
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
@@ -83,7 +83,7 @@ typedef struct mimo_agent_info {
 /** Layout of the world's observations, actions and rewards. */
 MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **layout) MIMO_NOEXCEPT;
 
-/** Name of the task. The string is owned by the environment. */
+/** Name of the task. The environment owns the string, until a reset to another age. */
 MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
 
 /** Physics steps per environment step. */

@@ -21,7 +21,7 @@ extern "C" {
 #define MIMO_VERSION_MAJOR 1      /**< Version of this header; mimo_version() gives the library's. */
 #define MIMO_VERSION_MINOR 0      /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0      /**< See MIMO_VERSION_MAJOR. */
-#define MIMO_VERSION_LABEL "-rc1" /**< "-rc1" of the first candidate, "" of a release; the end of mimo_version(). */
+#define MIMO_VERSION_LABEL "-rc2" /**< "-rc2" of the second candidate, "" of a release; the end of mimo_version(). */
 #define MIMO_ABI_VERSION 1        /**< Changes when old callers would break; equals the number in the SONAME. */
 #define MIMO_API_MAJOR 1          /**< Version of the declarations, 1.0; docs/abi.md says what may change. */
 #define MIMO_API_MINOR 0          /**< Grows when something is added. */

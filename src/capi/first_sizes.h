@@ -38,5 +38,5 @@ MIMO_FIRST_SIZE(mimo_texture, 32);
 MIMO_FIRST_SIZE(mimo_light, 104);
 MIMO_FIRST_SIZE(mimo_timing, 72);
 MIMO_FIRST_SIZE(mimo_recorder_config, 64);
-MIMO_FIRST_SIZE(mimo_recording_info, 96);
+MIMO_FIRST_SIZE(mimo_recording_info, 112);
 MIMO_FIRST_SIZE(mimo_replay_report, 48);

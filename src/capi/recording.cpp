@@ -129,7 +129,7 @@ mimo_status mimo_recording_env(const mimo_recording* recording, const mimo_env_c
   });
 }
 
-void mimo_recording_destroy(mimo_recording* recording) noexcept { destroy(recording); }
+void mimo_recording_close(mimo_recording* recording) noexcept { destroy(recording); }
 
 mimo_status mimo_recording_describe(const mimo_recording* recording, mimo_recording_info* info) noexcept {
   return guard(recording, [&] {

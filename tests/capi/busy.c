@@ -374,7 +374,7 @@ static void check_recordings(const char* folder) {
   IN_USE("env", mimo_env_update(env));
   end(thread, &it, &user);
   CHECK_OK(mimo_recording_describe(recording, &info));
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   remove(path);

@@ -82,7 +82,7 @@ static void check_identical(mimo_env* like, size_t steps) {
     CHECK_TEXT("", report.differs_most_in);
     CHECK(report.steps <= steps - from + 10); /* states are 10 steps apart */
   }
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
 }
 
 static mimo_status find_nothing(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
@@ -116,7 +116,7 @@ static void no_task_ends_a_replay(void) {
     CHECK(status == (step == failing ? MIMO_E_TASK : MIMO_OK));
   }
   CHECK_FAILS(MIMO_E_END, "ends at step", mimo_recording_step(recording, env, NULL, 0, NULL));
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
 }
@@ -171,7 +171,7 @@ static void what_programs_do_is_replayed(void) {
   size_t changes = 0;
   for (size_t i = 0; i < rows; ++i) changes += changed[i];
   CHECK(changes == 6);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   free(state);
   mimo_env_destroy(env);
   mimo_env_destroy(twin);
@@ -199,7 +199,7 @@ static void other_ages_are_replayed(void) {
   CHECK_OK(mimo_recorder_close(recorder));
   mimo_recording* recording = open_it();
   CHECK(info_of(recording).bodies == 3);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   check_identical(twin, 29);
   CHECK_OK(mimo_env_get(twin, MIMO_AGENT_AGE, NULL, 0, &age, 1));
   CHECK(age == 9);
@@ -278,7 +278,7 @@ static void a_file_alone_is_replayed(void) {
               mimo_env_reset(twin, SIZED(mimo_reset_config, .growth = &growth, .growth_count = 1), NULL, 0));
   /* The replay is recorded as well, and plays again. */
   CHECK_OK(mimo_recording_seek(recording, twin, 0, MIMO_REPLAY_FIELDS, NULL));
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   snprintf(other, sizeof other, "%s.2", path);
   CHECK(rename(path, other) == 0);
   recorder = record(twin, "all");
@@ -286,7 +286,7 @@ static void a_file_alone_is_replayed(void) {
   CHECK_OK(mimo_recorder_close(recorder));
   recording = open_it();
   mimo_env* third = env_of(recording);
-  mimo_recording_destroy(recording); /* the world outlives it */
+  mimo_recording_close(recording); /* the world outlives it */
   check_identical(third, 4);
   unlink(other);
   mimo_env_destroy(third);
@@ -351,7 +351,7 @@ static void results_of_own_tasks_are_given(void) {
   }
   CHECK_OK(mimo_recording_report(recording, &report));
   CHECK(report.identical == 1); /* gravity, too: a state is kept where the task changed the world */
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(twin);
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
@@ -398,7 +398,7 @@ static void joints_are_replayed_in_other_models(void) {
   CHECK_FAILS(MIMO_E_END, "ends at step 6", mimo_recording_step(recording, other_world, NULL, 0, NULL));
   CHECK_OK(mimo_recording_report(recording, &report));
   CHECK(report.identical == 1 && report.steps == 6);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(other_world);
   mimo_env_destroy(env);
 }
@@ -424,7 +424,7 @@ static void what_is_heard_is_kept(void) {
   CHECK(memcmp(heard, kept[4], sizeof heard) == 0);
   for (int i = 0; i < 5 * HEARD; ++i) loudest = fmaxf(loudest, fabsf(kept[i / HEARD][i % HEARD]));
   CHECK(loudest > 0.05f); /* the ear is nearer than the metre at which it has 0.1 Pa */
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   check_identical(twin, 5);
   free(block);
   mimo_env_destroy(env);
@@ -486,7 +486,7 @@ static void a_difference_is_told(void) {
   CHECK_TEXT("joints/velocity", report.differs_most_in);
   CHECK(report.largest_difference > 0.001);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "not the world", mimo_recording_step(recording, env, NULL, 0, NULL));
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(env);
   mimo_env_destroy(heavy);
 }
@@ -531,7 +531,7 @@ static void a_full_disk_fails_no_step(void) {
   CHECK_OK(mimo_recorder_close(recorder));
   mimo_recording* recording = open_it();
   CHECK(info_of(recording).steps == 2);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
 }
 
 static void write_text(const char* text) {
@@ -543,7 +543,7 @@ static void write_text(const char* text) {
 static size_t steps_there(void) {
   mimo_recording* recording = open_it();
   const size_t steps = info_of(recording).steps;
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   return steps;
 }
 
@@ -605,13 +605,13 @@ static void files_of_others_stay(void) {
   CHECK_OK(mimo_recorder_close(recorder));
   recording = open_it();
   CHECK(info_of(recording).steps == 4);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   recorder = record(neighbour, NULL); /* now it may */
   go(neighbour, 2);
   CHECK_OK(mimo_recorder_close(recorder));
   recording = open_it();
   CHECK(info_of(recording).steps == 2);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   mimo_env_destroy(env);
   mimo_env_destroy(neighbour);
 }
@@ -649,11 +649,11 @@ static void damaged_beginnings_end(void) {
       CHECK(fseek(file, i, SEEK_SET) == 0 && fputc(changed == 0 ? byte ^ 0x10 : byte, file) != EOF);
       CHECK(fflush(file) == 0);
       if (changed != 0) continue;
-      if (mimo_recording_open(path, NULL, &recording) == MIMO_OK) mimo_recording_destroy(recording);
+      if (mimo_recording_open(path, NULL, &recording) == MIMO_OK) mimo_recording_close(recording);
     }
   }
   fclose(file);
-  mimo_recording_destroy(open_it()); /* whole again */
+  mimo_recording_close(open_it()); /* whole again */
   for (int size = BEGINNING; size >= 0; --size) {
     CHECK(truncate(path, size) == 0);
     CHECK_FAILS(MIMO_E_FILE, "not a recording", mimo_recording_open(path, NULL, &recording));
@@ -693,7 +693,7 @@ static void bad_input_is_refused(void) {
   mimo_env_destroy(muscles);
   muscles = blind_env("reach", NULL);
   CHECK_FAILS(MIMO_E_MISMATCH, "joints", mimo_recording_seek(recording, muscles, 0, 1, NULL));
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
   write_text("not a recording");
   recording = NULL;
   CHECK_FAILS(MIMO_E_FILE, "is not a recording", mimo_recording_open(path, NULL, &recording));

@@ -249,7 +249,7 @@ void look_at_it() {
   mimo_replay_report report{};
   report.struct_size = sizeof report;
   PROMISE(mimo_recording_report(recording, &report) == MIMO_OK);
-  mimo_recording_destroy(recording);
+  mimo_recording_close(recording);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ static void in_the_child(const args* parents) {
   mimo_batch_destroy(parents->batch);
   mimo_senses_destroy(parents->senses);
   CHECK_OK(mimo_recorder_close(parents->recorder));
-  mimo_recording_destroy(parents->recording);
+  mimo_recording_close(parents->recording);
 }
 
 static void after_fork(void) {

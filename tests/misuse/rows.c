@@ -113,10 +113,10 @@ static mimo_status check_destroy_recording(args* a) {
   char before[512];
   size_t count = 0;
   snprintf(before, sizeof before, "%s", mimo_last_error());
-  mimo_recording_destroy(NULL);
-  mimo_recording_destroy(retired_recording());
-  mimo_recording_destroy((mimo_recording*)a->env);
-  mimo_recording_destroy(no_handle());
+  mimo_recording_close(NULL);
+  mimo_recording_close(retired_recording());
+  mimo_recording_close((mimo_recording*)a->env);
+  mimo_recording_close(no_handle());
   return CHECKED(strcmp(before, mimo_last_error()) == 0 &&
                  mimo_recording_size(a->recording, "time", &count, NULL) == MIMO_OK);
 }

@@ -15,7 +15,7 @@ ROW(mimo_recorder_flush, ON_RECORDER, mimo_recorder_flush(a->recorder), NONE)
 ROW(mimo_recorder_close, ON_ENV | ON_RECORDER | DESTROYS, check_close_recorder(a), NONE)
 ROW(mimo_recording_open, 0, mimo_recording_open(a->run, NULL, a->made_recording), NO_NULL(run, "path"),
     NO_NULL(made_recording, "recording"), DO(no_run, MIMO_E_NOT_FOUND, "/no_such_run.h5"))
-ROW(mimo_recording_destroy, ON_ENV | ON_RECORDING | DESTROYS, check_destroy_recording(a), NONE)
+ROW(mimo_recording_close, ON_ENV | ON_RECORDING | DESTROYS, check_destroy_recording(a), NONE)
 ROW(mimo_recording_describe, ON_RECORDING, mimo_recording_describe(a->recording, a->recording_info),
     DESCRIPTION(recording_info, mimo_recording_info, "info"))
 ROW(mimo_recording_size, ON_RECORDING, mimo_recording_size(a->recording, a->dataset, a->count, a->count2),

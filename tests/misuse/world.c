@@ -272,7 +272,7 @@ static void make_recordings(void) {
   for (int i = 0; i < 2; ++i) CHECK_OK(mimo_env_step(good.env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_recorder_close(dead_recorder));
   CHECK_OK(mimo_recording_open(good.run, NULL, &dead_recording));
-  mimo_recording_destroy(dead_recording);
+  mimo_recording_close(dead_recording);
   CHECK_OK(mimo_recording_open(good.run, NULL, &good.recording));
   CHECK_OK(mimo_env_make("free", &recorded));
   CHECK_OK(mimo_recorder_open(recorded, "misuse_recorded.h5", NULL, &good.recorder));
@@ -351,7 +351,7 @@ void destroy_everything(void) {
   mimo_batch_destroy(good.batch);
   mimo_senses_destroy(good.senses);
   CHECK_OK(mimo_recorder_close(good.recorder));
-  mimo_recording_destroy(good.recording);
+  mimo_recording_close(good.recording);
   mimo_env_destroy(recorded);
   mj_deleteData(host_data);
   mj_deleteModel(host_model);
@@ -602,7 +602,7 @@ int destroy_made(args* a) {
   mimo_batch_destroy(*good.made_batch);
   mimo_senses_destroy(*good.made_senses);
   CHECK_OK(mimo_recorder_close(*good.made_recorder));
-  mimo_recording_destroy(*good.made_recording);
+  mimo_recording_close(*good.made_recording);
   mimo_scene_destroy(a->room);
   if (a->scene != spare_scene) mimo_scene_destroy(a->scene);
   return made;

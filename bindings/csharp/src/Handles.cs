@@ -139,7 +139,7 @@ namespace Mimo
     {
         protected override bool ReleaseHandle()
         {
-            Native.mimo_recording_destroy(handle);
+            Native.mimo_recording_close(handle);
             return true;
         }
     }

@@ -926,10 +926,10 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_env"); }
         }
 
-        internal static void mimo_recording_destroy(IntPtr recording)
+        internal static void mimo_recording_close(RecordingHandle recording)
         {
-            try { Entry.mimo_recording_destroy(recording); }
-            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_destroy"); }
+            try { Entry.mimo_recording_close(recording); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_close"); }
         }
 
         internal static int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info)
@@ -1121,7 +1121,7 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_recorder_close(IntPtr recorder);
             [DllImport(File)] internal static extern int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording);
             [DllImport(File)] internal static extern int mimo_recording_env(RecordingHandle recording, ref EnvConfigStruct config, ref AgentConfigStruct senses, out EnvHandle env);
-            [DllImport(File)] internal static extern void mimo_recording_destroy(IntPtr recording);
+            [DllImport(File)] internal static extern void mimo_recording_close(RecordingHandle recording);
             [DllImport(File)] internal static extern int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info);
             [DllImport(File)] internal static extern int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes);
             [DllImport(File)] internal static extern int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes);
@@ -1137,7 +1137,7 @@ namespace Mimo
         internal const int VersionMajor = 1;
         internal const int VersionMinor = 0;
         internal const int VersionPatch = 0;
-        internal const string VersionLabel = "-rc1";
+        internal const string VersionLabel = "-rc2";
         internal const int AbiVersion = 1;
         internal const int ApiMajor = 1;
         internal const int ApiMinor = 0;

@@ -10,7 +10,7 @@ namespace Mimo
         /// <summary>Number of its actions.</summary>
         public int ActionCount { get; }
 
-        /// <summary>Owned by the environment.</summary>
+        /// <summary>Owned by the environment, until a reset to another age.</summary>
         public string Name { get; }
 
         /// <summary>Mass of its body in the model, kg; setting Quantity.BodyMass does not change it.</summary>

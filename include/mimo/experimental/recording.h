@@ -90,7 +90,7 @@ MIMO_API mimo_status mimo_recorder_close(mimo_recorder *recorder) MIMO_NOEXCEPT;
  * Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md says
  * what it can do.
  * @param hdf5      path of the HDF5 library, or NULL.
- * @param recording receives the handle; destroy it with mimo_recording_destroy.
+ * @param recording receives the handle; destroy it with mimo_recording_close.
  * Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no
  *         such file; MIMO_E_FILE for what is no recording, or was cut off.
  */
@@ -120,7 +120,7 @@ MIMO_API mimo_status mimo_recording_env(const mimo_recording *recording, const m
                                         const mimo_agent_config *senses, mimo_env **env) MIMO_NOEXCEPT;
 
 /** Closes a recording. NULL and destroyed handles are ignored. */
-MIMO_API void mimo_recording_destroy(mimo_recording *recording) MIMO_NOEXCEPT;
+MIMO_API void mimo_recording_close(mimo_recording *recording) MIMO_NOEXCEPT;
 
 /** What a recording holds. Its strings belong to the recording. */
 typedef struct mimo_recording_info {

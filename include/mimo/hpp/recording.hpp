@@ -17,7 +17,7 @@ inline namespace v1_0 {
 
 namespace detail {
 inline void close_recorder(mimo_recorder *recorder) { static_cast<void>(mimo_recorder_close(recorder)); }
-inline void destroy_recording(mimo_recording *recording) { mimo_recording_destroy(recording); }
+inline void destroy_recording(mimo_recording *recording) { mimo_recording_close(recording); }
 }  // namespace detail
 
 inline mimo_recorder_config recorder_config() { return detail::defaults(mimo_recorder_config_init); }

@@ -882,7 +882,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_recorder_close": (c_int32, [c_void_p]),
     "mimo_recording_open": (c_int32, [c_char_p, c_char_p, POINTER(c_void_p)]),
     "mimo_recording_env": (c_int32, [c_void_p, POINTER(EnvConfig), POINTER(AgentConfig), POINTER(c_void_p)]),
-    "mimo_recording_destroy": (None, [c_void_p]),
+    "mimo_recording_close": (None, [c_void_p]),
     "mimo_recording_describe": (c_int32, [c_void_p, POINTER(RecordingInfo)]),
     "mimo_recording_size": (c_int32, [c_void_p, c_char_p, POINTER(c_size_t), POINTER(c_size_t)]),
     "mimo_recording_read": (c_int32, [c_void_p, c_char_p, c_size_t, c_size_t, c_void_p, c_size_t]),

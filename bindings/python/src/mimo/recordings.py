@@ -63,7 +63,7 @@ class Recording(Handle):
             check(LIB.mimo_recording_open(utf8(self.path, "path"), library, handle))
 
         with_hdf5(read, utf8(hdf5, "hdf5"))
-        self._own(handle.value, LIB.mimo_recording_destroy)
+        self._own(handle.value, LIB.mimo_recording_close)
         info = _abi.RecordingInfo()
         check(LIB.mimo_recording_describe(self._handle, info))
         self._have(

@@ -11,8 +11,8 @@ pub const MIMO_VERSION_MINOR: u32 = 0;
 /// See MIMO_VERSION_MAJOR.
 pub const MIMO_VERSION_PATCH: u32 = 0;
 
-/// "-rc1" of the first candidate, "" of a release; the end of mimo_version().
-pub const MIMO_VERSION_LABEL: &[u8; 5] = b"-rc1\0";
+/// "-rc2" of the second candidate, "" of a release; the end of mimo_version().
+pub const MIMO_VERSION_LABEL: &[u8; 5] = b"-rc2\0";
 
 /// Changes when old callers would break; equals the number in the SONAME.
 pub const MIMO_ABI_VERSION: u32 = 1;
@@ -1453,7 +1453,7 @@ pub struct mimo_agent_info {
     pub action_count: u32,
     /// 0.
     pub reserved: u32,
-    /// Owned by the environment.
+    /// Owned by the environment, until a reset to another age.
     pub name: *const c_char,
     /// Mass of its body in the model, kg; setting MIMO_BODY_MASS does not change it.
     pub mass: f64,
@@ -2518,7 +2518,7 @@ extern "C" {
     /// Layout of the world's observations, actions and rewards.
     pub fn mimo_env_layout(env: *const mimo_env, layout: *mut *const mimo_layout) -> mimo_status;
 
-    /// Name of the task. The string is owned by the environment.
+    /// Name of the task. The environment owns the string, until a reset to another age.
     pub fn mimo_env_task(env: *const mimo_env, name: *mut *const c_char) -> mimo_status;
 
     /// Physics steps per environment step.
@@ -2595,7 +2595,7 @@ extern "C" {
     /// Errors: MIMO_E_NOT_FOUND; the message lists existing names.
     pub fn mimo_env_find(env: *const mimo_env, kind: mimo_kind, name: *const c_char, id: *mut i32) -> mimo_status;
 
-    /// Name of an element; "" if it has none. The string is owned by the environment.
+    /// Name of an element; "" if it has none. The environment owns the string, until a reset to another age.
     pub fn mimo_env_name(env: *const mimo_env, kind: mimo_kind, id: i32, name: *mut *const c_char) -> mimo_status;
 
     /// The body that a joint, geom, site, camera or light belongs to, or the parent of a body.
@@ -3242,7 +3242,7 @@ extern "C" {
     ///
     /// * `hdf5`: path of the HDF5 library, or NULL.
     ///
-    /// * `recording`: receives the handle; destroy it with mimo_recording_destroy.
+    /// * `recording`: receives the handle; destroy it with mimo_recording_close.
     pub fn mimo_recording_open(path: *const c_char, hdf5: *const c_char, recording: *mut *mut mimo_recording) -> mimo_status;
 
     /// Makes the world of a recording anew, out of the file alone: its scene with all files, agents, task and
@@ -3269,7 +3269,7 @@ extern "C" {
     /// Closes a recording. NULL and destroyed handles are ignored.
     ///
     /// Experimental.
-    pub fn mimo_recording_destroy(recording: *mut mimo_recording);
+    pub fn mimo_recording_close(recording: *mut mimo_recording);
 
     /// Describes a recording. Set info->struct_size first.
     ///

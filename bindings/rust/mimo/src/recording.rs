@@ -179,6 +179,6 @@ impl Recording {
 
 impl Drop for Recording {
     fn drop(&mut self) {
-        unsafe { sys::mimo_recording_destroy(self.handle()) }
+        unsafe { sys::mimo_recording_close(self.handle()) }
     }
 }

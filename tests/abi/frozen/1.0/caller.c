@@ -4,7 +4,7 @@
  * with the header of its time; those never change, and go on running on the libraries that follow.
  */
 #include <math.h>
-#include <mimo/mimo.h>
+#include <mimo/experimental.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -24,7 +24,6 @@ extern "C" {
 #define MIMO_AGENT 11        /**< Agents, by their index. */
 #define MIMO_FACE 12         /**< Faces that the model has; in built-in bodies in the order of mimo_face_name. */
 #define MIMO_WORLD 13        /**< The world itself: id 0, without a name. */
-#define MIMO_WARNING 14      /**< Kinds of warnings: the ids are MIMO_WARNING_ constants, 0 is any other one. */
 
 /*
  * Quantities: kind, how many values each element has, what they are. "Writable" ones can be set. Those marked W differ
@@ -46,11 +45,6 @@ extern "C" {
 #define MIMO_BODY_MASS 0x0105           /**< Body: 1, kg, > 0. Writable, W: its inertia grows along. */
 #define MIMO_BODY_CENTER_OF_MASS 0x0106 /**< Body: 3, of the body alone, world, m. */
 #define MIMO_BODY_POSE 0x0107           /**< Body: 7, position and orientation. Writable as MIMO_BODY_POSITION. */
-/**
- * Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
- * way; 0 for what is no part of one.
- */
-#define MIMO_BODY_NERVE_LENGTH 0x0108
 
 #define MIMO_JOINT_POSITION 0x0201 /**< Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable. */
 #define MIMO_JOINT_VELOCITY 0x0202 /**< Joint: 1, 3 or 6. Writable. */
@@ -98,12 +92,6 @@ extern "C" {
 #define MIMO_ACTUATOR_CONTROL 0x0601 /**< Actuator: 1, control input. Writable. */
 #define MIMO_ACTUATOR_FORCE 0x0602   /**< Actuator: 1, N or Nm. */
 #define MIMO_ACTUATOR_GEAR 0x0603    /**< Actuator: 1, Nm at control 1. Writable, W. */
-/**
- * Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that pulls
- * to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its agent
- * senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.
- */
-#define MIMO_ACTUATOR_FUSIMOTOR_DRIVE 0x0604
 
 #define MIMO_SENSOR_VALUE 0x0701 /**< Sensor: its dimension. */
 
@@ -144,15 +132,8 @@ extern "C" {
  * Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
  */
 #define MIMO_AGENT_AGE 0x0b04
-#define MIMO_AGENT_PHYSIOLOGICAL_AGE 0x0b05 /**< Agent: 1, months, of strength, range of motion and tone; likewise. */
 
 #define MIMO_WORLD_GRAVITY 0x0d01 /**< World: 3, m/s^2, world frame. Writable, W. */
-
-/**
- * Warning: 1, how many physics steps had it since the world was made; resets and loaded states leave it. Writable with
- * 0, to count anew.
- */
-#define MIMO_WARNING_STEPS 0x0e01
 
 /**
  * Or-ed to a quantity: its value of now, which follows from the current positions and velocities; nothing is changed by
@@ -180,7 +161,7 @@ MIMO_API mimo_status mimo_env_count(const mimo_env *env, mimo_kind kind, size_t 
  */
 MIMO_API mimo_status mimo_env_find(const mimo_env *env, mimo_kind kind, const char *name, int32_t *id) MIMO_NOEXCEPT;
 
-/** Name of an element; "" if it has none. The string is owned by the environment. */
+/** Name of an element; "" if it has none. The environment owns the string, until a reset to another age. */
 MIMO_API mimo_status mimo_env_name(const mimo_env *env, mimo_kind kind, int32_t id, const char **name) MIMO_NOEXCEPT;
 
 /** The body that a joint, geom, site, camera or light belongs to, or the parent of a body. */
@@ -210,8 +191,8 @@ MIMO_API mimo_status mimo_env_get(const mimo_env *env, mimo_quantity quantity, c
                                   double *values, size_t value_count) MIMO_NOEXCEPT;
 
 /** The same in single precision, for engines. */
-MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, mimo_quantity quantity, const int32_t *ids, size_t id_count,
-                                        float *values, size_t value_count) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_env_get_float(const mimo_env *env, mimo_quantity quantity, const int32_t *ids,
+                                        size_t id_count, float *values, size_t value_count) MIMO_NOEXCEPT;
 
 /**
  * Writes a quantity of many elements at once; of an id that occurs twice the last value applies. Quaternions and

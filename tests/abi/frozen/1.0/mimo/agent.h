@@ -19,12 +19,7 @@ extern "C" {
 #define MIMO_PROPRIOCEPTION_JOINT_TORQUE 0x10u /**< Torque about each joint's own axis, Nm. */
 #define MIMO_PROPRIOCEPTION_POSITION 0x20u     /**< Joint angles, rad. */
 #define MIMO_PROPRIOCEPTION_EFFORT 0x40u       /**< proprioception/effort, 0 to 1: see docs/guide/muscles.md. */
-/** Firing rates of receptors in muscles and joints, Hz: see docs/guide/proprioception.md. Off by default. */
-#define MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY 0x80u    /**< proprioception/spindle_primary, two muscles per motor: Ia. */
-#define MIMO_PROPRIOCEPTION_SPINDLE_SECONDARY 0x100u /**< proprioception/spindle_secondary, the same shape: II. */
-#define MIMO_PROPRIOCEPTION_TENDON_ORGAN 0x200u      /**< proprioception/tendon_organ, the same shape: Ib. */
-#define MIMO_PROPRIOCEPTION_JOINT_RECEPTOR 0x400u    /**< proprioception/joint_receptor, joints x 2: near its ends. */
-#define MIMO_PROPRIOCEPTION_ALL 0x80000000u          /**< All bits of the loaded library. */
+#define MIMO_PROPRIOCEPTION_ALL 0x80000000u    /**< All bits of the loaded library. */
 
 #define MIMO_VISION_RGB 0x01u          /**< Colour, uint8 H x W x 3, row 0 is the top. */
 #define MIMO_VISION_DEPTH 0x02u        /**< Depth along the camera's axis, float32 H x W, metres. */
@@ -32,12 +27,6 @@ extern "C" {
 
 #define MIMO_VESTIBULAR_ACCELERATION 0x1u     /**< vestibular/acceleration, 3, m/s^2, gravity included. */
 #define MIMO_VESTIBULAR_ANGULAR_VELOCITY 0x2u /**< vestibular/angular_velocity, 3, rad/s. */
-#define MIMO_VESTIBULAR_CANALS 0x4u           /**< vestibular/canals, 6 x 2, Hz: see docs/guide/balance.md. */
-#define MIMO_VESTIBULAR_OTOLITHS 0x8u         /**< vestibular/otoliths, 2 x 2 x 2 x 2, Hz: see docs/guide/balance.md. */
-#define MIMO_VESTIBULAR_GRAVITY 0x10u         /**< vestibular/gravity, 3, m/s^2: the estimated direction of up. */
-
-#define MIMO_HEARING_EARS 0x1u  /**< hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa. */
-#define MIMO_HEARING_BANDS 0x2u /**< hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s. */
 
 #define MIMO_PLACE_SCENE 0  /**< The scene's own place for an infant. */
 #define MIMO_PLACE_ROOT 1   /**< The origin of its root body mimo_location; standing soles are 0.33 m below. */
@@ -74,33 +63,10 @@ extern "C" {
 #define MIMO_ACT_ALL 0x80000000u   /**< All bits of the loaded library. */
 #define MIMO_ACT_NONE 0x40000000u  /**< No motor; excludes the other bits. */
 
-/** Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. */
-#define MIMO_REFLEX_PALMAR_GRASP 0x1u           /**< Fingers close on pressure on the palm; needs five fingers. */
-#define MIMO_REFLEX_PLANTAR_GRASP 0x2u          /**< Toes curl on pressure on the ball of the foot. */
-#define MIMO_REFLEX_ROOTING 0x4u                /**< The head turns towards a touch at a corner of the mouth. */
-#define MIMO_REFLEX_MORO 0x8u                   /**< The head drops: arms open, then close. */
-#define MIMO_REFLEX_ASYMMETRIC_TONIC_NECK 0x10u /**< The head turns: limbs stretch on that side, bend on the other. */
-#define MIMO_REFLEX_STEPPING 0x20u              /**< Upright on its feet, leaning forward: legs step in turn. */
-#define MIMO_REFLEX_WITHDRAWAL 0x40u            /**< Legs draw back from a touch or a prick. */
-#define MIMO_REFLEX_FELT 0x40000000u            /**< reflex/activation has all reflexes that this body can show. */
-#define MIMO_REFLEX_ALL 0x80000000u             /**< All reflexes of the loaded library that this body can show. */
-
 #define MIMO_TOUCH_FORCE 0x1u        /**< touch/force, N x 3: normal force and friction, N. */
 #define MIMO_TOUCH_NORMAL_FORCE 0x2u /**< touch/force, N x 1: only the normal force, N; instead of MIMO_TOUCH_FORCE. */
 #define MIMO_TOUCH_SLIP 0x4u         /**< touch/slip, N x 2: sliding over the skin, along its tangents, m/s. */
 #define MIMO_TOUCH_FRICTION_USE 0x8u /**< touch/friction_use, N x 1: share of the possible friction in use, 0 to 1. */
-
-/** Receptors of the skin, N per field: see docs/guide/skin.md. In Hz unless stated otherwise; off by default. */
-#define MIMO_TOUCH_SA1 0x10u                /**< touch/sa1: depth of indentation. */
-#define MIMO_TOUCH_RA 0x20u                 /**< touch/ra: speed of indentation, and sliding. */
-#define MIMO_TOUCH_PC 0x40u                 /**< touch/pc: jolts and vibration, as an envelope. */
-#define MIMO_TOUCH_SA2 0x80u                /**< touch/sa2, N x 2: stretch along the sensor's two tangents. */
-#define MIMO_TOUCH_TEMPERATURE 0x100u       /**< touch/temperature: of the skin's surface, degrees Celsius. */
-#define MIMO_TOUCH_COLD 0x200u              /**< touch/cold. */
-#define MIMO_TOUCH_WARM 0x400u              /**< touch/warm. */
-#define MIMO_TOUCH_NOCICEPTION_FAST 0x800u  /**< touch/nociception_fast: pricks and heat, at once. */
-#define MIMO_TOUCH_NOCICEPTION_SLOW 0x1000u /**< touch/nociception_slow: pricks, heat and cold, late and lasting. */
-#define MIMO_TOUCH_UNITS 0x2000u            /**< touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor. */
 
 #define MIMO_RESPONSE_NEAREST 1  /**< The nearest sensor feels the whole touch. */
 #define MIMO_RESPONSE_LINEAR 2   /**< Weights fall linearly with the distance along the skin, to 0 at 2 spacings. */

@@ -40,7 +40,8 @@ typedef struct mimo_batch_config {
   uint32_t threads;        /**< Up to 4096; 0 (default): the number of cores. Never more than worlds. */
   int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
   uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with
-                                _AUTORESET_NONE: in the same step). 0: it stays failed until mimo_batch_reset or a loaded state. */
+                                _AUTORESET_NONE: in the same step). 0: it stays failed until mimo_batch_reset or a
+                                loaded state. */
   uint32_t reserved;       /**< 0. */
   /** Ages: cohort[i % cohort_count] applies to all infants of world i; where it is NULL, the scene's age applies. */
   const mimo_growth *const *cohort;
@@ -177,8 +178,8 @@ MIMO_API mimo_status mimo_batch_observe(mimo_batch *batch, const uint8_t *mask, 
  * @param values worlds x the width that mimo_env_width gives for the ids.
  * Errors: MIMO_E_INVALID_ARGUMENT for contacts, of which worlds have different numbers.
  */
-MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, mimo_quantity quantity, const int32_t *ids, size_t id_count,
-                                    const uint8_t *mask, size_t worlds, double *values,
+MIMO_API mimo_status mimo_batch_get(const mimo_batch *batch, mimo_quantity quantity, const int32_t *ids,
+                                    size_t id_count, const uint8_t *mask, size_t worlds, double *values,
                                     size_t value_count) MIMO_NOEXCEPT;
 
 /** The same in single precision, for engines. */

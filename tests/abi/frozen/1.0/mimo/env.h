@@ -16,19 +16,8 @@ extern "C" {
 /** A world: physics, agents, senses and task. */
 typedef struct mimo_env mimo_env;
 
-#define MIMO_JACOBIAN_MODEL 0  /**< The model's setting; built-in scenes use sparse. */
-#define MIMO_JACOBIAN_DENSE 1  /**< The original's solver, for comparing trajectories to the last digit. */
-#define MIMO_JACOBIAN_SPARSE 2 /**< The same solution up to rounding, about twice as fast. */
-
-#define MIMO_DISABLE_CONTACT 0x1u    /**< No contacts. */
-#define MIMO_DISABLE_GRAVITY 0x2u    /**< No gravity. */
-#define MIMO_DISABLE_OWN_SOLVER 0x4u /**< MuJoCo's mj_step in place of libmimo's solver: same up to rounding, slower. */
-
-#define MIMO_RENDER_SHADOWS 0x01u     /**< Lights cast shadows. */
-#define MIMO_RENDER_REFLECTIONS 0x02u /**< Floors and boxes may mirror the scene. */
-#define MIMO_RENDER_SKY 0x04u         /**< The scene's sky; without it the background is black. */
-#define MIMO_RENDER_HAZE 0x08u        /**< Haze at the horizon of an endless floor. */
-#define MIMO_RENDER_FOG 0x10u         /**< Fog, as the scene's MJCF describes it. */
+#define MIMO_DISABLE_CONTACT 0x1u /**< No contacts. */
+#define MIMO_DISABLE_GRAVITY 0x2u /**< No gravity. */
 
 /** Settings of a world. */
 typedef struct mimo_env_config {
@@ -86,7 +75,7 @@ typedef struct mimo_agent_info {
   uint32_t action_offset; /**< Index of its first action in the action array. */
   uint32_t action_count;  /**< Number of its actions. */
   uint32_t reserved;      /**< 0. */
-  const char *name;       /**< Owned by the environment. */
+  const char *name;       /**< Owned by the environment, until a reset to another age. */
   double mass;            /**< Mass of its body in the model, kg; setting MIMO_BODY_MASS does not change it. */
   double height;          /**< Vertical extent of its geoms in the initial pose qpos0, metres. */
 } mimo_agent_info;
@@ -94,7 +83,7 @@ typedef struct mimo_agent_info {
 /** Layout of the world's observations, actions and rewards. */
 MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **layout) MIMO_NOEXCEPT;
 
-/** Name of the task. The string is owned by the environment. */
+/** Name of the task. The environment owns the string, until a reset to another age. */
 MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
 
 /** Physics steps per environment step. */
@@ -166,36 +155,6 @@ typedef struct mimo_env_results {
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;
 
-/** The joint positions of one step of a known movement. */
-typedef struct mimo_movement {
-  uint32_t struct_size;    /**< sizeof(mimo_movement), set by the caller. */
-  uint32_t reserved;       /**< 0. */
-  const double *positions; /**< frame_skip x the positions of all joints, in the order of MIMO_JOINT_POSITION, at the
-                                end of each physics step. Quaternions are normalised. */
-  size_t position_count;   /**< Length of positions. */
-  double *forces;          /**< Receives frame_skip x one force per degree of freedom, N or Nm; or NULL. */
-  size_t force_count;      /**< Length of forces. */
-} mimo_movement;
-
-/**
- * Simulates one step of a known movement, from video or motion capture: joints take the given positions, whatever is in
- * their way, and all senses respond as if they had moved there. Velocities and accelerations follow from the positions
- * as in a step of physics: the velocity at the end is the difference over a physics step. So set MIMO_JOINT_POSITION
- * and MIMO_JOINT_VELOCITY before the first step of a movement. Contacts yield and are felt according to these
- * accelerations. Motors keep their controls, without effect on the movement; no task is evaluated, no reflex acts, and
- * no delayed action arrives.
- *
- * The forces are the result of inverse dynamics at the start of each physics step: the forces needed in addition to
- * gravity, contacts, and the joints' limits, locks, springs and dampers. For a lying infant they are its muscles'
- * forces; on the first six degrees of freedom, its free joint, they are the residual that contacts do not explain.
- * @param block receives the observation; NULL with block_bytes 0 skips the senses.
- * Errors: MIMO_E_INVALID_ARGUMENT for numbers that are not finite and quaternions of length 0: nothing happens;
- *         MIMO_E_UNSUPPORTED for models with an integrator other than Euler; MIMO_E_SIMULATION as mimo_env_step, also
- *         if positions or the resulting velocities or accelerations exceed 1e10: the block is not written.
- */
-MIMO_API mimo_status mimo_env_follow(mimo_env *env, const mimo_movement *movement, void *block,
-                                     size_t block_bytes) MIMO_NOEXCEPT;
-
 /**
  * Observes the current state without changing the trajectory. All fields belong to the current state, so after a step
  * it differs from the step's block in the fields whose time ends before 0. Until the next step mimo_env_get also
@@ -219,28 +178,6 @@ MIMO_API mimo_status mimo_env_time(const mimo_env *env, double *seconds) MIMO_NO
 
 /** Length of one physics step, seconds. */
 MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
-
-/* Timing of the parts of a step. */
-
-/** Seconds spent in the parts of steps since the last mimo_env_timing_reset. */
-typedef struct mimo_timing {
-  uint32_t struct_size;  /**< sizeof(mimo_timing), set by the caller. */
-  uint32_t reserved;     /**< 0. */
-  uint64_t steps;        /**< Number of environment steps. */
-  double total;          /**< The whole steps. */
-  double physics;        /**< Physics steps. */
-  double touch;          /**< Sense of touch. */
-  double vision;         /**< Drawing the eyes' pictures. */
-  double proprioception; /**< Joint senses. */
-  double vestibular;     /**< Accelerometer and gyroscope. */
-  double hearing;        /**< Sounds, and their paths to the ears. */
-} mimo_timing;
-
-/** Reads the timing; all 0 unless the environment was made with timing = 1. Set timing->struct_size first. */
-MIMO_API mimo_status mimo_env_timing(const mimo_env *env, mimo_timing *timing) MIMO_NOEXCEPT;
-
-/** Resets the timing to 0. */
-MIMO_API mimo_status mimo_env_timing_reset(mimo_env *env) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -15,19 +15,6 @@ extern "C" {
 #define MIMO_SEX_FEMALE 1 /**< A girl. */
 #define MIMO_SEX_MALE 2   /**< A boy. */
 
-/* Sources of the numbers. The original's rules have no sex, z-scores or physiological age: these members keep their
-   defaults with it. At 18 months those rules do not give the body of 18 months. */
-#define MIMO_GROWTH_WHO 0      /**< The WHO's child growth standards and measured infants: docs/guide/growth.md. */
-#define MIMO_GROWTH_ORIGINAL 1 /**< The rules of MIMo's second version, for comparison. */
-
-/* The parts of an infant that follow its age: bits. */
-#define MIMO_MATURITY_BODY 0x1u       /**< Size, mass, strength and joints. 0 means this bit. */
-#define MIMO_MATURITY_EYES 0x2u       /**< Its eyes' acuity and colour, by its physiological age: mimo_maturity_at. */
-#define MIMO_MATURITY_DELAYS 0x4u     /**< The delays of its nerves to and from the brain, by its physiological age. */
-#define MIMO_MATURITY_THRESHOLD 0x8u  /**< With _EYES: contrasts below the threshold disappear. */
-#define MIMO_MATURITY_FLICKER 0x10u   /**< With _EYES: changes above the flicker limit are blurred. */
-#define MIMO_MATURITY_ALL 0x80000000u /**< All bits of the loaded library except _THRESHOLD and _FLICKER. */
-
 /**
  * The age, size and strength of an infant: the member `growth` of mimo_agent_config, NULL for the body of 18 months. It
  * determines lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the range, stiffness, damping

@@ -14,16 +14,6 @@ extern "C" {
 #define MIMO_LOG_WARNING 1 /**< Something is probably not as the user intended. */
 #define MIMO_LOG_INFO 2    /**< Useful to know, told once. */
 
-/* Warnings of the physics; also the ids of MIMO_WARNING_STEPS. */
-#define MIMO_WARNING_CONTACTS_DROPPED 1    /**< More contacts than the model's nconmax: some are missing. */
-#define MIMO_WARNING_CONSTRAINTS_DROPPED 2 /**< More constraints than the model's njmax: some are missing. */
-#define MIMO_WARNING_BAD_POSITION 3        /**< A position is not a number, or huge: the world has failed. */
-#define MIMO_WARNING_BAD_VELOCITY 4        /**< The same for a velocity. */
-#define MIMO_WARNING_BAD_ACCELERATION 5    /**< The same for an acceleration. */
-#define MIMO_WARNING_BAD_CONTROL 6         /**< A control is not a number, or huge: the step used 0 for all controls. */
-#define MIMO_WARNING_INERTIA 7             /**< The inertia matrix is nearly singular. */
-#define MIMO_WARNING_NOT_CONVERGED 8       /**< The solver stopped at its last iteration; counted, not logged. */
-
 /** A message, valid until the function that receives it returns. */
 typedef struct mimo_log_record {
   uint32_t struct_size; /**< Of the library's struct. 256 bytes are there, zero beyond it. */

@@ -9,19 +9,17 @@
  *     scene.h        rooms, objects, models, cameras, as a description
  *     growth.h       the age, size and strength of infants
  *     agent.h        infants: their position, their senses, the joints they control
- *     maturity.h     the acuity of their eyes and the speed of their nerves
- *     things.h       the temperature and the material of things
  *     observation.h  the layout of observation blocks, actions and rewards
- *     env.h          a world: making it, steps, rewards, timing
+ *     env.h          a world: making it, steps, rewards
  *     access.h       joints, bodies and contacts by name; values that differ between worlds
- *     geometry.h     shapes, materials and lights for engines that draw the world themselves
- *     sight.h        the gaze of infants; pictures of the world
+ *     geometry.h     shapes and poses for engines that draw the world themselves
+ *     sight.h        pictures of the world
  *     state.h        save, load, clone
- *     recording.h    runs recorded to files and replayed
  *     batch.h        many worlds on several threads
  *     task.h         built-in tasks, their parameters, and custom tasks
  *     senses.h       senses attached to your own simulation
- *     hearing.h      sounds that your program plays
+ *
+ * Further headers, which may change from version to version, come with experimental.h.
  *
  * Rules that apply everywhere (docs/ has an article on each):
  *
@@ -65,19 +63,15 @@
 #include "scene.h"
 #include "growth.h"
 #include "agent.h"
-#include "maturity.h"
-#include "things.h"
 #include "observation.h"
 #include "env.h"
 #include "access.h"
 #include "geometry.h"
 #include "sight.h"
 #include "state.h"
-#include "recording.h"
 #include "batch.h"
 #include "task.h"
 #include "senses.h"
-#include "hearing.h"
 /* clang-format on */
 
 #endif

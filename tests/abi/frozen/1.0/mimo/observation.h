@@ -122,8 +122,8 @@ MIMO_API mimo_status mimo_layout_receptor_width(const mimo_layout *layout, size_
  * Reads a quantity of all receptors of a field, one after the other.
  * @param value_count length of values, as mimo_layout_receptor_width gives it.
  */
-MIMO_API mimo_status mimo_layout_receptors(const mimo_layout *layout, size_t field, mimo_quantity quantity, double *values,
-                                           size_t value_count) MIMO_NOEXCEPT;
+MIMO_API mimo_status mimo_layout_receptors(const mimo_layout *layout, size_t field, mimo_quantity quantity,
+                                           double *values, size_t value_count) MIMO_NOEXCEPT;
 
 /** One action: by default a motor's control input as a share of its largest torque; agent.h has the alternatives. */
 typedef struct mimo_action {

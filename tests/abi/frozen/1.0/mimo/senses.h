@@ -91,18 +91,6 @@ MIMO_API mimo_status mimo_senses_advance(mimo_senses *senses, const void *data) 
 MIMO_API mimo_status mimo_senses_observe(mimo_senses *senses, const void *data, void *block,
                                          size_t block_bytes) MIMO_NOEXCEPT;
 
-/**
- * Sets the firing rates of fusimotor neurons, which drive muscle spindles, from the next mimo_senses_advance on, until
- * the next call or the start of an episode; part of the saved state.
- * @param actuators  ids in the host's model, motors that turn a joint with a range; NULL with actuator_count 0: all
- *                   that have spindles.
- * @param rates      four numbers for each, Hz, 0 to 500, as in MIMO_ACTUATOR_FUSIMOTOR_DRIVE.
- * @param rate_count 4 times actuator_count.
- * Errors: MIMO_E_NOT_FOUND for an actuator without spindles, or one whose agent senses none. Nothing changes then.
- */
-MIMO_API mimo_status mimo_senses_drive_spindles(mimo_senses *senses, const int32_t *actuators, size_t actuator_count,
-                                                const double *rates, size_t rate_count) MIMO_NOEXCEPT;
-
 /** Size in bytes of the senses' memories; it never changes. */
 MIMO_API mimo_status mimo_senses_state_size(const mimo_senses *senses, size_t *bytes) MIMO_NOEXCEPT;
 

@@ -21,7 +21,7 @@ extern "C" {
 #define MIMO_VERSION_MAJOR 1      /**< Version of this header; mimo_version() gives the library's. */
 #define MIMO_VERSION_MINOR 0      /**< See MIMO_VERSION_MAJOR. */
 #define MIMO_VERSION_PATCH 0      /**< See MIMO_VERSION_MAJOR. */
-#define MIMO_VERSION_LABEL "-rc1" /**< "-rc1" of the first candidate, "" of a release; the end of mimo_version(). */
+#define MIMO_VERSION_LABEL "-rc2" /**< "-rc2" of the second candidate, "" of a release; the end of mimo_version(). */
 #define MIMO_ABI_VERSION 1        /**< Changes when old callers would break; equals the number in the SONAME. */
 #define MIMO_API_MAJOR 1          /**< Version of the declarations, 1.0; docs/abi.md says what may change. */
 #define MIMO_API_MINOR 0          /**< Grows when something is added. */
@@ -51,9 +51,11 @@ typedef int32_t mimo_quantity;
 #define MIMO_E_OUT_OF_MEMORY -10   /**< An allocation failed. */
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
-#define MIMO_E_FILE -13            /**< A file cannot be written, or has the wrong content. */
+#define MIMO_E_FILE -13            /**< A file cannot be written, or a file or state is damaged or something else. */
 #define MIMO_E_TASK -14            /**< A custom task failed or returned invalid values; see mimo_env_step. */
 #define MIMO_E_BUSY -15            /**< Not now: another thread uses the handle, or another call has to come first. */
+#define MIMO_E_MISMATCH -16        /**< A state or recording is of another model, age, task or kind of agents. */
+#define MIMO_E_END -17             /**< A recording has no further step. */
 
 /** ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails. */
 MIMO_API uint32_t mimo_abi_version(void) MIMO_NOEXCEPT;

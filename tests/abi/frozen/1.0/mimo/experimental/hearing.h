@@ -1,17 +1,20 @@
 /**
- * @file mimo/hearing.h
+ * @file mimo/experimental/hearing.h
  * Sounds that a host plays in a world. For the infants' hearing see mimo_agent_config::hearing and
  * docs/guide/hearing.md.
  */
-#ifndef MIMO_HEARING_H
-#define MIMO_HEARING_H
+#ifndef MIMO_EXPERIMENTAL_HEARING_H
+#define MIMO_EXPERIMENTAL_HEARING_H
 
-#include "env.h"
-#include "senses.h"
+#include "../env.h"
+#include "../senses.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+#define MIMO_HEARING_EARS 0x1u  /**< hearing/ear_left, hearing/ear_right: sound of the step at both ears, Pa. */
+#define MIMO_HEARING_BANDS 0x2u /**< hearing/bands, 2 x 24, dB above threshold; hearing/time_difference, s. */
 
 /**
  * Sets the room for played sounds, for environments made and senses attached from now on in which an agent hears. It is

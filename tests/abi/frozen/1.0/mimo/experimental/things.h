@@ -1,11 +1,11 @@
 /**
- * @file mimo/things.h
+ * @file mimo/experimental/things.h
  * Temperatures and materials of the things in a scene.
  */
-#ifndef MIMO_THINGS_H
-#define MIMO_THINGS_H
+#ifndef MIMO_EXPERIMENTAL_THINGS_H
+#define MIMO_EXPERIMENTAL_THINGS_H
 
-#include "agent.h"
+#include "../agent.h"
 
 #ifdef __cplusplus
 extern "C" {

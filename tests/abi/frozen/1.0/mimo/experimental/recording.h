@@ -1,5 +1,5 @@
 /**
- * @file mimo/recording.h
+ * @file mimo/experimental/recording.h
  * Recordings: what a program does with a world, written into one HDF5 file by itself, and played again from there.
  * docs/guide/recordings.md has the file's layout. HDF5 1.10 or later is loaded when it is first needed: the one that
  * `hdf5` of a call names, else that of the environment variable MIMO_HDF5, else the system's. It stays for the
@@ -7,10 +7,11 @@
  * MIMO_E_UNSUPPORTED where HDF5's own variables (HDF5_...) are set. HDF5 itself does not survive it when memory runs
  * out while it starts.
  */
-#ifndef MIMO_RECORDING_H
-#define MIMO_RECORDING_H
+#ifndef MIMO_EXPERIMENTAL_RECORDING_H
+#define MIMO_EXPERIMENTAL_RECORDING_H
 
-#include "env.h"
+#include "../agent.h"
+#include "../env.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -89,15 +90,37 @@ MIMO_API mimo_status mimo_recorder_close(mimo_recorder *recorder) MIMO_NOEXCEPT;
  * Opens a recording, also one whose program was killed. Anybody may have made the file: docs/guide/recordings.md says
  * what it can do.
  * @param hdf5      path of the HDF5 library, or NULL.
- * @param recording receives the handle; destroy it with mimo_recording_destroy.
+ * @param recording receives the handle; destroy it with mimo_recording_close.
  * Errors: MIMO_E_UNSUPPORTED without HDF5, and for a recording of a newer version; MIMO_E_NOT_FOUND where there is no
  *         such file; MIMO_E_FILE for what is no recording, or was cut off.
  */
 MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
                                          mimo_recording **recording) MIMO_NOEXCEPT;
 
+#define MIMO_REPLAY_FIELDS 0x1u /**< Recorded fields are compared as well. Without it, the world may sense otherwise. */
+#define MIMO_REPLAY_JOINTS 0x2u /**< Joints are put where they were, instead of steps. Works with any version. */
+
+#define MIMO_AS_RECORDED 0x40000000u /**< Of a sense for mimo_recording_env: infants have it as they had it. */
+
+/**
+ * Makes the world of a recording anew, out of the file alone: its scene with all files, agents, task and parameters.
+ * Its infants are of the first age that was recorded; a replay, or a reset, gives them any age that was recorded.
+ * What cannot be in a file is a task of your own (mimo_scene_set_task): the world then has one that does nothing, and a
+ * replay in it gives the recorded results. The scene is checked as any other one, with the default limits.
+ * @param config NULL means as recorded. Else the renderer, its settings, the log, timing and contacts of steps are those
+ *               of this config, whose other members are as mimo_env_config_init leaves them.
+ * @param senses NULL means as recorded. Else what each infant senses: proprioception, vestibular, vision, touch and
+ *               hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED.
+ * @param env    receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays open where
+ *               infants had several ages.
+ * Errors: MIMO_E_UNSUPPORTED for a recording of format version 1 or 2, which holds no world; as mimo_env_create;
+ *         MIMO_E_FILE for a file that is damaged.
+ */
+MIMO_API mimo_status mimo_recording_env(const mimo_recording *recording, const mimo_env_config *config,
+                                        const mimo_agent_config *senses, mimo_env **env) MIMO_NOEXCEPT;
+
 /** Closes a recording. NULL and destroyed handles are ignored. */
-MIMO_API void mimo_recording_destroy(mimo_recording *recording) MIMO_NOEXCEPT;
+MIMO_API void mimo_recording_close(mimo_recording *recording) MIMO_NOEXCEPT;
 
 /** What a recording holds. Its strings belong to the recording. */
 typedef struct mimo_recording_info {
@@ -115,6 +138,8 @@ typedef struct mimo_recording_info {
   const char *this_build;    /**< Of the loaded library. */
   const char *configuration; /**< What the recording program left. */
   const char *seed;          /**< As a decimal number. */
+  const char *library;       /**< Version of the library that recorded; "" before format version 3. */
+  const char *mujoco;        /**< Version of its MuJoCo; "" before format version 3. */
 } mimo_recording_info;
 
 /** Describes a recording. Set info->struct_size first. */
@@ -139,21 +164,27 @@ MIMO_API mimo_status mimo_recording_read(const mimo_recording *recording, const 
 /**
  * Begins a replay: a world of the same scene, actuation and task, whose senses may be others, takes the last kept state
  * that is not later than a step. Its infants become as old as they were. What was compared before is forgotten.
- * @param step           0 to the recording's steps.
- * @param compare_fields 1: recorded fields are compared as well; 0: the world senses otherwise.
- * @param at             receives the state's own step, from which the replay goes on; may be NULL.
- * Errors: MIMO_E_INVALID_ARGUMENT for a world with other joints, actions, agents or time of a step, which then stays
- *         as it is; as mimo_env_state_load, and then the world has been reset.
+ *
+ * Where the model is another one (after changes of the library, with another MuJoCo), states do not fit it. With
+ * MIMO_REPLAY_JOINTS none is loaded: positions and velocities of the joints are set, and what is sensed of them is as
+ * of mimo_env_observe. Senses with a memory (receptors, hearing, delays) then remember nothing; results are the recorded
+ * ones.
+ * @param step 0 to the recording's steps.
+ * @param how  MIMO_REPLAY_ bits.
+ * @param at   receives the state's own step, from which the replay goes on; may be NULL.
+ * Errors: MIMO_E_MISMATCH for a world with other joints, actions, agents or time of a step, which then stays as it is,
+ *         and for one of another model, which has been reset; the message has both models' hashes and versions;
+ *         as mimo_env_state_load, and then the world has been reset.
  */
 MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *env, size_t step,
-                                         uint32_t compare_fields, size_t *at) MIMO_NOEXCEPT;
+                                         uint32_t how, size_t *at) MIMO_NOEXCEPT;
 
 /**
  * Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had
  * changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit.
  * Between two calls the world may be looked at, not changed.
  * @param block, block_bytes, results as in mimo_env_step.
- * Errors: MIMO_E_NOT_FOUND behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
+ * Errors: MIMO_E_END behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
  *         MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
  */
 MIMO_API mimo_status mimo_recording_step(mimo_recording *recording, mimo_env *env, void *block, size_t block_bytes,
