@@ -51,8 +51,8 @@ MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, siz
  * Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world of a
  * batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to another age;
  * values that are set, loaded states, known movements, bare physics, sounds, random numbers) is counted, and where
- * something was, a state is kept from which a replay goes on there. Kept fields are sensed also where a step skips them. A
- * step that fails is not recorded. A clone is not recorded.
+ * something was, a state is kept from which a replay goes on there. Kept fields are sensed also where a step skips
+ * them. A step that fails is not recorded. A clone is not recorded.
  *
  * A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to
  * the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened.
@@ -107,12 +107,12 @@ MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
  * Its infants are of the first age that was recorded; a replay, or a reset, gives them any age that was recorded.
  * What cannot be in a file is a task of your own (mimo_scene_set_task): the world then has one that does nothing, and a
  * replay in it gives the recorded results. The scene is checked as any other one, with the default limits.
- * @param config NULL means as recorded. Else the renderer, its settings, the log, timing and contacts of steps are those
- *               of this config, whose other members are as mimo_env_config_init leaves them.
+ * @param config NULL means as recorded. Else the renderer, its settings, the log, timing and contacts of steps are
+ *               those of this config, whose other members are as mimo_env_config_init leaves them.
  * @param senses NULL means as recorded. Else what each infant senses: proprioception, vestibular, vision, touch and
  *               hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED.
- * @param env    receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays open where
- *               infants had several ages.
+ * @param env    receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays
+ *               open where infants had several ages.
  * Errors: MIMO_E_UNSUPPORTED for a recording of format version 1 or 2, which holds no world; as mimo_env_create;
  *         MIMO_E_FILE for a file that is damaged.
  */
@@ -167,8 +167,8 @@ MIMO_API mimo_status mimo_recording_read(const mimo_recording *recording, const 
  *
  * Where the model is another one (after changes of the library, with another MuJoCo), states do not fit it. With
  * MIMO_REPLAY_JOINTS none is loaded: positions and velocities of the joints are set, and what is sensed of them is as
- * of mimo_env_observe. Senses with a memory (receptors, hearing, delays) then remember nothing; results are the recorded
- * ones.
+ * of mimo_env_observe. Senses with a memory (receptors, hearing, delays) then remember nothing; results are the
+ * recorded ones.
  * @param step 0 to the recording's steps.
  * @param how  MIMO_REPLAY_ bits.
  * @param at   receives the state's own step, from which the replay goes on; may be NULL.

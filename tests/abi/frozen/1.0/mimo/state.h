@@ -48,8 +48,8 @@ typedef struct mimo_load_report {
  * @param state_bytes the exact size of the state: mimo_env_state_size of the world that saved it.
  * @param report      receives the memories that started fresh; may be NULL.
  * Errors: MIMO_E_MISMATCH for a state of another model, age, task, actuation or agents; MIMO_E_FILE for one that is
- *         damaged, was cut short, or is no state; MIMO_E_UNSUPPORTED for one of a newer library; the world then stays as
- *         it is.
+ *         damaged, was cut short, or is no state; MIMO_E_UNSUPPORTED for one of a newer library; the world then stays
+ *         as it is.
  */
 MIMO_API mimo_status mimo_env_state_load(mimo_env *env, const void *state, size_t state_bytes,
                                          mimo_load_report *report) MIMO_NOEXCEPT;
