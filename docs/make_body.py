@@ -37,7 +37,7 @@ upright, its arms hang down and it looks along x; y is to its left, z is up.
 | +z, -z | turns to its left; to its right | the same |
 
 So negative angles bend elbows and knees, and a negative `robot:right_hip1` lifts the right leg forward.
-"""  # noqa: E501
+"""
 
 
 def world_of(body: str) -> mimo.World:

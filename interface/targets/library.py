@@ -73,7 +73,14 @@ def first_sizes(api):
 
 
 # Those that recordings keep.
-KEPT = ("mimo_agent_config", "mimo_camera_config", "mimo_env_config", "mimo_field_config", "mimo_limits", "mimo_maturity")
+KEPT = (
+    "mimo_agent_config",
+    "mimo_camera_config",
+    "mimo_env_config",
+    "mimo_field_config",
+    "mimo_limits",
+    "mimo_maturity",
+)
 PLAIN = ("const char *", "double", "float", "int32_t", "uint32_t", "uint64_t", "size_t")
 
 
@@ -94,9 +101,12 @@ template <typename Visit>
 void for_each_member({struct.name}& all, Visit&& visit) {{
 {visits}}}
 """
-    return text + """
+    return (
+        text
+        + """
 }  // namespace mimo::capi
 """
+    )
 
 
 def plain_members(api, struct):

@@ -12,8 +12,8 @@ namespace cli {
 void add_recorded_options(CLI::App& command, WorldOptions& options);
 
 // The world of a recording, whose senses are as recorded but for those that `command` was given options of. One of a
-// version that kept no world is made of the options alone. Throws a Failure that names the file, where options are given
-// or missing for that.
+// version that kept no world is made of the options alone. Throws a Failure that names the file, where options are
+// given or missing for that.
 mimo::Env open_recorded(const std::string& file, const mimo::Recording& recording, const WorldOptions& options,
                         const CLI::App& command);
 

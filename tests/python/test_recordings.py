@@ -147,7 +147,10 @@ def test_scenes_of_others_are_checked(tmp_path):
         document = bytes(file["scene/document"][0]).rstrip(b"\0")
         name = next(iter(file["scene/assets"]))
         del file[f"scene/assets/{name}"]
-    with mimo.Recording(run) as recording, pytest.raises(mimo.ModelError, match="there is no file .* beside the document"):
+    with (
+        mimo.Recording(run) as recording,
+        pytest.raises(mimo.ModelError, match=r"there is no file .* beside the document"),
+    ):
         recording.world(eyes=0)
     with h5py.File(run, "a") as file:
         file["scene/document"][0] = np.frombuffer(
@@ -156,7 +159,7 @@ def test_scenes_of_others_are_checked(tmp_path):
             ],
             np.uint8,
         )
-    with mimo.Recording(run) as recording, pytest.raises(mimo.ModelError, match="no file .*/etc/"):
+    with mimo.Recording(run) as recording, pytest.raises(mimo.ModelError, match=r"no file .*/etc/"):
         recording.world(eyes=0)
 
 

@@ -28,7 +28,7 @@ def fingerprint(*parts):
 def read(state):
     """Sections of a state by name: version, whether it is essential, content."""
     magic, version, length, _model, count, checksum = HEADER.unpack_from(state)
-    assert magic == b"MIMOSTAT" and version == 2, (magic, version)
+    assert (magic, version) == (b"MIMOSTAT", 2)
     assert length == len(state), (length, len(state))
     assert checksum == fingerprint(state[: HEADER.size - 8], state[HEADER.size :]), "the checksum is wrong"
     sections, at = {}, HEADER.size

@@ -248,8 +248,7 @@ TEST(Muscle, StateHoldsActivationsAndTargets) {
   const auto muscles = muscular(Mode::kMuscle), motors = muscular(Mode::kTorque);
   std::vector<std::uint8_t> state(motors->state_bytes());
   motors->save(Span<std::uint8_t>(state));
-  expect_error(Status::kMismatch, "another task, actuation",
-               [&] { muscles->load(Span<const std::uint8_t>(state)); });
+  expect_error(Status::kMismatch, "another task, actuation", [&] { muscles->load(Span<const std::uint8_t>(state)); });
 }
 
 TEST(Muscle, NeedsTheNumbersOfAMotor) {

@@ -59,7 +59,9 @@ std::string refusal(env::World& world, const Bytes& state) {
   } catch (const Error& error) {
     const auto says = [&](const char* words) { return error.message().find(words) != std::string::npos; };
     const bool newer = says("needs a newer library"), mismatch = says("it was saved from");
-    EXPECT_EQ(error.status(), newer ? Status::kUnsupported : mismatch ? Status::kMismatch : Status::kFile)
+    EXPECT_EQ(error.status(), newer      ? Status::kUnsupported
+                              : mismatch ? Status::kMismatch
+                                         : Status::kFile)
         << error.message();
     return error.message();
   }

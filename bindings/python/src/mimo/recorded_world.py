@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, List, NoReturn
+from typing import Any, Dict, List, NoReturn, cast
 
 from . import _abi
 from ._handle import Native
@@ -47,14 +47,14 @@ def _made(handle: Any, path: str, senses: _abi.AgentConfig) -> World:
     made = ctypes.c_void_p()
     check(LIB.mimo_recording_env(handle, None, senses, made))
     world = World.__new__(World)
-    world._begin(Native(made.value, LIB.mimo_env_destroy), RecordedScene(path), {})
+    world._begin(Native(made.value, LIB.mimo_env_destroy), cast(Scene, RecordedScene(path)), {})
     return world
 
 
 def world_of_scene(scene: str, eyes: int) -> World:
     """For recordings that hold no world: a scene with its infants, with touch, and eyes of so many pixels."""
     made = Scene(scene) if scene in scenes() else Scene(file=scene)
-    pixels = {"vision_width": eyes, "vision_height": eyes} if eyes > 0 else {}
+    pixels: Dict[str, Any] = {"vision_width": eyes, "vision_height": eyes} if eyes > 0 else {}
     made.add_agents(vision=eyes > 0, touch=True, **pixels)
     return World(made)
 

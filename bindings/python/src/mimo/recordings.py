@@ -14,8 +14,8 @@ from ._handle import Handle
 from ._hdf5 import with_hdf5
 from ._library import LIB, check, from_struct, text, utf8
 from .arguments import whole_number
-from .drawing import EYES
 from .constants import Replay
+from .drawing import EYES
 from .recorded_world import inner_world, recorded_world, world_of_scene
 from .results import StepResult
 from .world import World
