@@ -1,5 +1,6 @@
 #include "capi/recorded_world.h"
 
+#include <algorithm>
 #include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -189,7 +190,22 @@ class RecordedScene {
   }
   void limit_sense(Arguments& given) {
     const mimo_limits ours = limits(given);
-    check(mimo_scene_limit_sense(scene_, given.number<std::size_t>("agent"), given.text("path"), &ours));
+    const auto agent = given.number<std::size_t>("agent");
+    const char* const path = given.text("path");
+    if (!is_off(agent, capi::text(path))) check(mimo_scene_limit_sense(scene_, agent, path, &ours));
+  }
+  // Whether the caller switched off the sense of a path, which leaves nothing to limit.
+  bool is_off(std::size_t agent, const std::string& path) const {
+    const std::vector<env::AgentOptions>& agents = blueprint().current().agents.all();
+    if (!senses_ || agent >= agents.size() || !agents[agent].root.empty()) return false;
+    const std::pair<const char*, std::uint32_t> senses[] = {{"proprioception", senses_->proprioception},
+                                                            {"vestibular", senses_->vestibular},
+                                                            {"vision", senses_->vision},
+                                                            {"touch", senses_->touch},
+                                                            {"hearing", senses_->hearing}};
+    const std::string sense = path.substr(0, path.find('/'));
+    return std::any_of(std::begin(senses), std::end(senses),
+                       [&](const auto& one) { return sense == one.first && one.second == 0; });
   }
   void limit_motor(Arguments& given) {
     const mimo_limits ours = limits(given);
@@ -354,23 +370,13 @@ mimo_env_config chosen(const RecordedScene& scene, const std::optional<mimo_env_
   return own;
 }
 
-}  // namespace
-
-std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Recording>& recording,
-                                         const mimo_env_config* config, const mimo_agent_config* senses) {
-  std::optional<mimo_agent_config> wanted;
-  if (senses != nullptr) wanted = read_struct(senses, default_agent_config(), "senses");
-  std::optional<mimo_env_config> given;
-  if (config != nullptr) given = read_struct(config, default_env_config(), "config");
+std::unique_ptr<EnvObject> make(const std::shared_ptr<recording::Recording>& recording,
+                                const std::optional<mimo_env_config>& given,
+                                const std::optional<mimo_agent_config>& wanted) {
   scene::Source source = recording->scene();
   if (given) source.log = log_sink(given->log, given->log_user);
   RecordedScene scene(source, wanted);
-  try {
-    for (const ReadJson& call : calls_of(*recording)) scene.call(call);
-  } catch (const Error& error) {
-    if (error.status() != Status::kInvalidArgument || wanted) throw;
-    fail_damaged(error.message());
-  }
+  for (const ReadJson& call : calls_of(*recording)) scene.call(call);
   const mimo_env_config ours = chosen(scene, given);
   const recording::Growths ages = recording->growths();
   scene.blueprint().edit([&](blueprint::SceneEdit& edit) {
@@ -392,6 +398,36 @@ std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Record
   auto object = std::make_unique<EnvObject>(std::move(worlds), std::move(compiled));
   object->task_is_missing = scene.has_own_task() && object->world().task_name() == "custom";
   return object;
+}
+
+// Whether a call was given what it cannot take.
+bool refuses(const Error& error) {
+  return error.status() == Status::kInvalidArgument || error.status() == Status::kNotFound;
+}
+
+void require_whole(const std::shared_ptr<recording::Recording>& recording) {
+  try {
+    make(recording, {}, {});
+  } catch (const Error& error) {
+    if (refuses(error)) fail_damaged(error.message());
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Recording>& recording,
+                                         const mimo_env_config* config, const mimo_agent_config* senses) {
+  std::optional<mimo_agent_config> wanted;
+  if (senses != nullptr) wanted = read_struct(senses, default_agent_config(), "senses");
+  std::optional<mimo_env_config> given;
+  if (config != nullptr) given = read_struct(config, default_env_config(), "config");
+  try {
+    return make(recording, given, wanted);
+  } catch (const Error& error) {
+    // The caller is at fault only where the recording makes a world without the caller's wishes.
+    if (refuses(error)) require_whole(recording);
+    throw;
+  }
 }
 
 }  // namespace mimo::capi

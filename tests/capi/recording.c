@@ -268,6 +268,22 @@ static void a_file_alone_is_replayed(void) {
   CHECK(report.identical == 1 && report.steps == 25);
   report = replay(recording, twin, 3); /* back to the first age */
   CHECK(report.identical == 1);
+  /* The limits of a sense that the caller switches off go with it. */
+  mimo_agent_config senses;
+  mimo_env* numb = NULL;
+  CHECK_OK(mimo_agent_config_init(&senses, sizeof senses));
+  senses.proprioception = senses.vision = senses.hearing = MIMO_AS_RECORDED;
+  senses.touch_scale = 1e9;
+  senses.touch = MIMO_TOUCH_FORCE;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "touch_scale", mimo_recording_env(recording, NULL, &senses, &numb));
+  senses.touch = MIMO_AS_RECORDED;
+  senses.vestibular = 0;
+  CHECK_OK(mimo_recording_env(recording, NULL, &senses, &numb));
+  CHECK_OK(mimo_recording_seek(recording, numb, 0, 0, NULL));
+  CHECK_OK(mimo_recording_step(recording, numb, NULL, 0, NULL));
+  CHECK_OK(mimo_recording_report(recording, &report));
+  CHECK(report.identical == 1 && report.steps == 1);
+  mimo_env_destroy(numb);
   uint8_t truncated[25];
   CHECK_OK(mimo_recording_read(recording, "truncated", 0, 25, truncated, sizeof truncated));
   CHECK(truncated[15] == 0 && truncated[16] == 1); /* episode_steps */

@@ -6,7 +6,7 @@ import ctypes
 from typing import Any, Dict, List, NoReturn, cast
 
 from . import _abi
-from ._handle import Native
+from ._handle import Handle, Native
 from ._library import LIB, check, defaults
 from .constants import AS_RECORDED, Touch, Vision
 from .scene import Scene, scenes
@@ -27,7 +27,7 @@ class RecordedScene:
         raise TypeError(f"worlds of recordings cannot be pickled: open {self.source} where they are needed")
 
 
-def recorded_world(handle: Any, path: str, eyes: int) -> World:
+def recorded_world(recording: Handle, path: str, eyes: int) -> World:
     """The world of a recording, with touch, and eyes of so many pixels; 0: without eyes."""
     senses = defaults(_abi.AgentConfig)
     for sense in SENSES:
@@ -35,17 +35,18 @@ def recorded_world(handle: Any, path: str, eyes: int) -> World:
     senses.vision = Vision.RGB if eyes > 0 else 0
     if eyes > 0:
         senses.vision_width = senses.vision_height = eyes
-    world = _made(handle, path, senses)
+    world = _made(recording, path, senses)
     if not world.agents or any("touch/" in name for name in world.layout.fields):
         return world
     world.close()
     senses.touch = Touch.FORCE
-    return _made(handle, path, senses)
+    return _made(recording, path, senses)
 
 
-def _made(handle: Any, path: str, senses: _abi.AgentConfig) -> World:
+def _made(recording: Handle, path: str, senses: _abi.AgentConfig) -> World:
+    # No variable here may hold the native handle: an error keeps these frames, and the file would stay open.
     made = ctypes.c_void_p()
-    check(LIB.mimo_recording_env(handle, None, senses, made))
+    check(LIB.mimo_recording_env(recording._handle, None, senses, made))
     world = World.__new__(World)
     world._begin(Native(made.value, LIB.mimo_env_destroy), cast(Scene, RecordedScene(path)), {})
     return world

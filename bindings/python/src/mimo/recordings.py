@@ -103,7 +103,7 @@ class Recording(Handle):
             return world_of_scene(scene, eyes)
         if scene is not None:
             raise ValueError(f"scene is {scene!r}, but {self.path} holds its world itself")
-        return recorded_world(self._handle, self.path, eyes)
+        return recorded_world(self, self.path, eyes)
 
     def seek(self, world: Any, step: int = 0, compare_fields: bool = True, joints: bool = False) -> int:
         """Loads the last kept state that is not later than a step; returns that state's step.
