@@ -154,5 +154,5 @@ def test_options_of_worlds_are_refused_by_attached_senses(humanoid):
         mimo.Senses(scene, humanoid.model, mujoco_version=humanoid.version)
     with pytest.raises(TypeError, match=r"frame_skip.*There are: .*step"):
         mimo.Senses(described("torso"), humanoid.model, mujoco_version=humanoid.version, frame_skip=2)
-    with late_senses(humanoid) as senses, pytest.raises(ValueError, match=r"state: .* too few"):
+    with late_senses(humanoid) as senses, pytest.raises(mimo.FileError, match=r"state: .* too few"):
         senses.load(b"nothing")
