@@ -185,7 +185,8 @@ def parameter(api, function, index):
         name = pascal(base) + "Handle"
         if twice:
             return "out " + (name if function.name.endswith(MAKERS) else "IntPtr")
-        return "IntPtr" if function.name.endswith("_destroy") else name
+        frees = function.returns == "void" and len(parameters) == 1  # called while its handle is released
+        return "IntPtr" if frees else name
     if api.is_a("structs", base):
         fills = not one.type.startswith("const") and "size" in [other.name for other in parameters[index + 1 :]]
         return ("out " if fills else "ref ") + raw_name(base)

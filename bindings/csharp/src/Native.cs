@@ -926,7 +926,7 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_env"); }
         }
 
-        internal static void mimo_recording_close(RecordingHandle recording)
+        internal static void mimo_recording_close(IntPtr recording)
         {
             try { Entry.mimo_recording_close(recording); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_close"); }
@@ -1121,7 +1121,7 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_recorder_close(IntPtr recorder);
             [DllImport(File)] internal static extern int mimo_recording_open(byte[] path, byte[] hdf5, out RecordingHandle recording);
             [DllImport(File)] internal static extern int mimo_recording_env(RecordingHandle recording, ref EnvConfigStruct config, ref AgentConfigStruct senses, out EnvHandle env);
-            [DllImport(File)] internal static extern void mimo_recording_close(RecordingHandle recording);
+            [DllImport(File)] internal static extern void mimo_recording_close(IntPtr recording);
             [DllImport(File)] internal static extern int mimo_recording_describe(RecordingHandle recording, ref RecordingInfoStruct info);
             [DllImport(File)] internal static extern int mimo_recording_size(RecordingHandle recording, byte[] dataset, out UIntPtr rows, out UIntPtr row_bytes);
             [DllImport(File)] internal static extern int mimo_recording_read(RecordingHandle recording, byte[] dataset, UIntPtr first, UIntPtr rows, IntPtr values, UIntPtr value_bytes);
