@@ -118,7 +118,7 @@ void of_world(const env::World& world, const mjData& data, Quantity quantity, in
 void compute(const Source& source, Quantity quantity, int id, double* to) {
   const auto& [model, data, world] = source;
   Out out(to);
-  const auto met = [&] { return engine::meeting(model, data, id); };
+  const auto met = [&model = model, &data = data, id] { return engine::meeting(model, data, id); };
   switch (quantity) {
     case Quantity::kJointRange: range(model, id, out); break;
     case Quantity::kJointLock: lock(model, id, out); break;
