@@ -94,7 +94,7 @@ def mujoco(session: nox.Session) -> None:
     """Programs of the pages beside the package mujoco, with the library that was built on MuJoCo 4."""
     for one in ("test", "mujoco"):
         session.install("-q", "--require-hashes", "--only-binary=:all:", "-r", f"tools/pins/{one}.txt")
-    library = ROOT / "build-mujoco4/lib/libmimo.so"
+    library = ROOT / "build-mujoco4/lib/libmimo-mujoco4.so"
     sources = ROOT / "bindings/python/src"
     session.env.update(MIMO_LIBRARY=str(library), PYTHONPATH=str(sources))
     check(session, guides="mujoco")
