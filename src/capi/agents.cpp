@@ -217,7 +217,7 @@ mimo_status mimo_scene_set_touch(mimo_scene* scene, size_t agent, const char* bo
     require(spacing >= 0 && spacing <= 10, "spacing of body \"{}\" is {}, expected metres up to 10, or 0 for no skin",
             body == nullptr ? "(every)" : body, spacing);
     blueprint.edit([&](blueprint::SceneEdit& edit) {
-      note(edit, {{"call", "set_touch"}, {"agent", agent}, {"body", text_or_null(body)}, {"spacing", spacing}});
+      note(edit, {{"call", "set_touch"}, {"agent", agent}, {"body", body}, {"spacing", spacing}});
       if (body == nullptr) return edit.agents.set_touch(agent, spacing);
       edit.agents.set_touch(agent, body, spacing, edit.scene);
     });

@@ -24,15 +24,15 @@ class Json {
  public:
   using Member = std::pair<const char*, Json>;
 
-  Json(std::nullptr_t) : text_("null") {}
-  Json(const char* text) : text_(as_json(text)) {}
+  Json(const char* text) : text_(text == nullptr ? "null" : as_json(text)) {}
   Json(const std::string& text) : text_(as_json(text)) {}
-  Json(std::initializer_list<Member> members) : text_("{") {
-    for (const Member& member : members) add(member.first, member.second);
-    text_ += '}';
-  }
+  Json(std::initializer_list<Member> members)
+      : Json(object([&](auto&& add) {
+          for (const Member& member : members) add(member.first, member.second);
+        })) {}
+  // JSON has no infinite numbers: they are null.
   template <typename T, std::enable_if_t<std::is_arithmetic_v<T>, int> = 0>
-  Json(T number) : text_(format("{}", number)) {}
+  Json(T number) : text_(std::isfinite(static_cast<double>(number)) ? format("{}", number) : "null") {}
   // A list.
   template <typename T>
   Json(const std::vector<T>& values) : text_("[") {
@@ -42,7 +42,7 @@ class Json {
   // An object whose members a function gives, which is handed add(name, value).
   template <typename Visit>
   static Json object(Visit&& visit) {
-    Json json(std::initializer_list<Member>{});
+    Json json;
     json.text_ = "{";
     visit([&](const char* name, const Json& value) { json.add(name, value); });
     json.text_ += '}';
@@ -52,6 +52,8 @@ class Json {
   const std::string& text() const { return text_; }
 
  private:
+  Json() = default;
+
   void add(const char* name, const Json& value) {
     if (text_.size() > 1) text_ += ',';
     text_ += as_json(name) + ':' + value.text_;
@@ -59,11 +61,6 @@ class Json {
 
   std::string text_;
 };
-
-inline Json text_or_null(const char* given) { return given == nullptr ? Json(nullptr) : Json(given); }
-
-// JSON has no infinite numbers.
-inline Json number_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 template <typename T>
 Json json_of_member(const T& member) {

@@ -61,8 +61,8 @@ Json json_of(const TaskPlan& plan) {
                       {"unit", field.unit},
                       {"frame", field.frame},
                       {"shape", field.shape},
-                      {"low", number_or_null(field.low)},
-                      {"high", number_or_null(field.high)}});
+                      {"low", field.low},
+                      {"high", field.high}});
   }
   return {{"memory_bytes", plan.memory_bytes}, {"terms", plan.terms}, {"fields", fields}};
 }

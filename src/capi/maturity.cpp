@@ -110,7 +110,7 @@ mimo_status mimo_scene_set_sensory_delay(mimo_scene* scene, size_t agent, const 
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     within(seconds, 0, kMostDelay, "seconds", "");
     blueprint.edit([&](blueprint::SceneEdit& edit) {
-      note(edit, {{"call", "set_sensory_delay"}, {"agent", agent}, {"body", text_or_null(body)}, {"seconds", seconds}});
+      note(edit, {{"call", "set_sensory_delay"}, {"agent", agent}, {"body", body}, {"seconds", seconds}});
       if (body == nullptr) return edit.agents.set_sensory_delay(agent, seconds);
       edit.agents.set_sensory_delay(agent, body, seconds, edit.scene);
     });
