@@ -31,7 +31,7 @@ typedef struct worlds {
   mimo_growth usual;      /* growth of the infants, except their age */
   size_t count;
   int sent;              /* whether a step was sent; until it is received the library uses the members below */
-  char *blocks, *finals; /* the last observations; those of ended episodes, if steps start the next ones */
+  char *blocks, *finals; /* last observations, and last observations of ended episodes if steps start the next ones */
   float* actions;
   mimo_recorder* recorder;    /* of one world; NULL: none is recorded */
   mimo_batch_results results; /* of the last step */
@@ -72,7 +72,7 @@ void mimo_close_all(void);
 worlds* mimo_worlds_of(const mxArray* number);
 worlds* mimo_any_worlds_of(const mxArray* number);
 
-/* The same for scenes, whose numbers differ from those of worlds. A kept scene is no longer being made. */
+/* The same for scenes, which are numbered separately from worlds. A kept scene is no longer being made. */
 double mimo_new_scene(void);
 void mimo_keep_scene(double number, mimo_scene* scene);
 mimo_scene* mimo_scene_of(const mxArray* number);

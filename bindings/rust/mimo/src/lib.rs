@@ -22,7 +22,7 @@
 //! [`Recorder`] is `Sync`: functions of C that may run at the same time on one handle are `&self` methods,
 //! the others are `&mut self` methods.
 //!
-//! Constants are those of C in types of their own: [`Quantity::BODY_POSITION`] is `MIMO_BODY_POSITION`, and
+//! Each constant of C belongs to a type: [`Quantity::BODY_POSITION`] is `MIMO_BODY_POSITION`, and
 //! `Touch::FORCE | Touch::SLIP` are two bits. Functions that have no safe form yet are in [`sys`]. Items that
 //! say "Experimental." may change with any version: docs/abi.md.
 #![warn(missing_docs, missing_debug_implementations)]
