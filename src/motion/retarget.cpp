@@ -62,6 +62,7 @@ class Retarget {
   void find_rest();
   void find_scale(double given);
   const Pair* pair_of(const std::string& body) const;
+  void name_joints(const std::map<std::string, std::size_t>& moving);
   std::int32_t find_body(const std::string& name) const;
   Eigen::Vector3d place(std::int32_t body) const;
   Eigen::Quaterniond orientation(std::int32_t body) const;
@@ -74,6 +75,7 @@ class Retarget {
   std::vector<Eigen::Isometry3d> rest_;
   std::string prefix_;  // of the infant's bodies
   std::vector<Pair> pairs_;
+  std::map<std::string, std::size_t> joints_;        // by bodies, also by bodies that do not move
   Eigen::Quaterniond axes_;                          // from the file's to the world's
   Eigen::Vector3d start_ = Eigen::Vector3d::Zero();  // of the hip
   double scale_ = 1;
@@ -132,6 +134,7 @@ void Retarget::choose_bodies(const RetargetOptions& options) {
   const bool own = !options.map.empty();
   const std::map<std::string, std::size_t> bodies = own ? mapped_bodies(options.map) : usual_bodies(bvh_.joints);
   if (!own) check_whole(bodies, bvh_.joints, path_);
+  name_joints(bodies);
   std::map<std::size_t, std::string> by_joint;
   for (const auto& [body, joint] : bodies) by_joint[joint] = body;
   std::string without;
@@ -146,6 +149,15 @@ void Retarget::choose_bodies(const RetargetOptions& options) {
   }
   notes_ = bvh_.notes;
   if (!without.empty()) notes_.push_back("joints that move no body: " + without);
+}
+
+// A map may name an arm alone. Joints of usual names still tell how the skeleton stands and how large it is.
+void Retarget::name_joints(const std::map<std::string, std::size_t>& moving) {
+  joints_ = moving;
+  for (const auto& [body, joint] : usual_bodies(bvh_.joints)) {
+    const auto is_it = [number = joint](const auto& one) { return one.second == number; };
+    if (std::none_of(moving.begin(), moving.end(), is_it)) joints_.emplace(body, joint);
+  }
 }
 
 // All hinges at 0: upright, limbs straight.
@@ -177,9 +189,9 @@ Eigen::Quaterniond Retarget::orientation(std::int32_t body) const {
 
 // In the file, at rest; none where one of the two is not there.
 std::optional<Eigen::Vector3d> Retarget::between(const std::string& from, const std::string& to) const {
-  const Pair *a = pair_of(from), *b = pair_of(to);
-  if (a == nullptr || b == nullptr) return {};
-  return rest_[b->joint].translation() - rest_[a->joint].translation();
+  const auto a = joints_.find(from), b = joints_.find(to);
+  if (a == joints_.end() || b == joints_.end()) return {};
+  return rest_[b->second].translation() - rest_[a->second].translation();
 }
 
 // What points upwards in who stands: the trunk, and the legs from the feet.
@@ -209,8 +221,7 @@ Eigen::Vector3d Retarget::upwards(const std::string& given) const {
   const Eigen::Vector3d y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   const bool by_y = stands(y), by_z = stands(z);
   if (by_y && by_z && given.empty()) {
-    throw Failure(path_ +
-                  ": the joints that move bodies do not tell whether the file's y or its z points up; --up does");
+    throw Failure(path_ + ": no joint tells whether the file's y or its z points up; --up does");
   }
   if (given != "z" && by_y) return y;
   if (given != "y" && by_z) return z;

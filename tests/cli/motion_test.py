@@ -131,6 +131,17 @@ class Motion(Case):
         """The left elbow in degrees, in the second frame of a skeleton whose forearm is turned by 60 degrees there."""
         return math.degrees(self.joints("--motion", self.write("a.bvh", text), *arguments)[1]["robot:left_elbow"])
 
+    def test_a_map_of_one_arm_leaves_the_other_joints_their_usual_names(self):
+        """Only the mapped arm moves, but hips, head and legs still say which axis points up and how long legs are."""
+        names = {"LeftArm": "Bip01 L Up", "LeftForeArm": "Bip01 L Fore"}
+        table = self.write("map.csv", "Bip01 L Up,left_upper_arm\nBip01 L Fore,left_lower_arm\n")
+        turned = {"LeftForeArm": (0, 0, -60), "LeftLeg": (0, 50, 0)}
+        for up in ("y", "z"):
+            path = self.write("a.bvh", bvh({}, turned, rename=lambda name: names.get(name, name), up=up))
+            rows = self.joints("--motion", path, "--map", table)
+            self.assertAlmostEqual(math.degrees(rows[1]["robot:left_elbow"]), -60, delta=0.2)
+            self.assertEqual(rows[1]["robot:left_knee"], rows[0]["robot:left_knee"])
+
     def test_a_straight_elbow_bends_in_any_plane(self):
         """From an arm stretched to the side the forearm goes forwards, down, or up: the upper arm turns for it."""
         for turn in ((0, 0, -60), (-60, 0, 0)):
@@ -308,10 +319,11 @@ class Motion(Case):
             self.assertIn(message, self.refused("a.bvh", whole.replace("JOINT Spine", "JOINT " + new)))
         names = self.write("map.csv", "LeftArm,left_upper_arm\n")
         self.assertIn("a.bvh has two joints 'LeftArm'", self.refused("a.bvh", whole.replace("JOINT Spine", "JOINT LeftArm"), "--map", names))
-        # arms alone do not stand; nor does what leans by 45 degrees from y to z
-        arms = self.write("map.csv", "LeftArm,left_upper_arm\nLeftForeArm,left_lower_arm\n")
-        self.assertIn("whether the file's y or its z points up; --up does", self.refused("a.bvh", whole, "--map", arms))
-        self.joints("--motion", self.write("a.bvh", whole), "--map", arms, "--up", "y")
+        # arms alone do not tell what is up; nor does a skeleton that leans by 45 degrees from y to z
+        own = bvh({}, rename=lambda name: "bone_" + name)
+        arms = self.write("map.csv", "bone_LeftArm,left_upper_arm\nbone_LeftForeArm,left_lower_arm\n")
+        self.assertIn("whether the file's y or its z points up; --up does", self.refused("a.bvh", own, "--map", arms))
+        self.joints("--motion", self.write("a.bvh", own), "--map", arms, "--up", "y")
         half = math.sqrt(0.5)
         lean = [(name, parent, (x, half * y, half * y)) for name, parent, (x, y, z) in JOINTS]
         self.assertIn("whether the file's y or its z points up; --up does", self.refused("a.bvh", bvh({}, joints=lean)))
