@@ -37,11 +37,13 @@ class Words {
     if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // the mark that some editors put first
   }
 
-  // "" at the end.
+  // "" at the end. A colon ends a word: "Frames:2" is two.
   std::string_view next() {
     while (!rest_.empty() && is_space(rest_[0])) skip();
     std::size_t length = rest_.empty() ? 0 : 1;
-    while (length < rest_.size() && !is_bracket(rest_[0]) && !ends_word(rest_[length])) ++length;
+    while (length < rest_.size() && !is_bracket(rest_[0]) && rest_[length - 1] != ':' && !ends_word(rest_[length])) {
+      ++length;
+    }
     const std::string_view word = rest_.substr(0, length);
     rest_.remove_prefix(length);
     return word;
@@ -54,10 +56,15 @@ class Words {
 
   // The rest of the line, up to a bracket: names may have spaces ("Bip01 L Thigh").
   std::string name() {
-    const std::string_view line = trim(rest_.substr(0, rest_.find_first_of("{\n")));
-    if (line.empty()) fail("expected a joint's name", next());
-    rest_.remove_prefix(static_cast<std::size_t>(line.data() - rest_.data()) + line.size());
-    return std::string(line);
+    std::string name = rest_of_line();
+    if (name.empty()) fail("expected a joint's name", next());
+    return name;
+  }
+
+  std::string rest_of_line() {
+    const std::string_view line = rest_.substr(0, rest_.find_first_of("{\n"));
+    rest_.remove_prefix(line.size());
+    return std::string(trim(line));
   }
 
   // All numbers up to the end of the file.
@@ -163,6 +170,7 @@ class Hierarchy {
 
   Eigen::Vector3d read_end() {
     words_.expect("Site");
+    words_.rest_of_line();  // some programs name it
     words_.expect("{");
     words_.expect("OFFSET");
     Eigen::Vector3d end = read_offset(words_);

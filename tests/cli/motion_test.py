@@ -215,6 +215,7 @@ class Motion(Case):
         for text in ("\ufeff" + whole, whole.replace("End Site", "End site"), whole.replace("End Site", "END SITE"),
                      whole.replace("\n", "\r\n"), whole.replace("\n{\n", "{").replace("End Site\n{", "End Site{"),
                      whole.replace("rotation", "ROTATION").replace("Xposition", "xPosition"), whole.replace("Frames: 2", "Frames: 1"), whole.replace("Frames: 2", "Frames: 3"),
+                     whole.replace("Frames: ", "Frames:").replace("Time: ", "Time:"), whole.replace("End Site", "End Site Tip"),
                      "\n".join(rows)):
             self.assertAlmostEqual(self.bent_elbow(text), right, delta=1e-9)
         report = json.loads(self.mimo("replay", "--scene", "free", "--touch", "off", "--json", "--motion",
