@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import secrets
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Tuple
 
@@ -49,7 +48,7 @@ class BabyBenchEnv(MIMoEnv):
         """Resets settle the infant; `init_qpos` and `init_qvel` are the settled state."""
         self.world.physics_step(int(self.scene.parameters[f"{self._counts.task}/settle_steps"]))
         self.init_qpos, self.init_qvel = self.data.qpos.copy(), self.data.qvel.copy()
-        self.world.observe()
+        self.forward()
 
     # ---- Episodes ------------------------------------------------------------------------------------------------
 
@@ -58,16 +57,13 @@ class BabyBenchEnv(MIMoEnv):
     ) -> Tuple[Observation, Dict[str, Any]]:
         """Starts an episode with a settled infant; with a behaviour after ten random physics steps."""
         super(MIMoEnv, self).reset(seed=seed)
-        if seed is None and not self._seeded:
-            seed = secrets.randbits(64)
-        self._seeded = True
         self._end_episode()
-        self.world.reset(seed)
+        self._restart(seed)
         return self._get_obs(), {}
 
     def step(self, action: NDArray[Any]) -> Tuple[Observation, float, bool, bool, Dict[str, Any]]:
         """Makes one step of `frame_skip` physics steps."""
-        self.world.step(action)
+        self.do_simulation(action, self.frame_skip)
         self._last = {"steps": self.steps, **self._counted()}
         self.steps += 1
         if self.render_mode == "human":

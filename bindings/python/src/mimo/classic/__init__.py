@@ -9,11 +9,14 @@ docs/guide/classic.md explains how to adapt scripts.
 from . import utils
 from .actuation import ActuationModel, MuscleModel, PositionalModel, SpringDamperModel
 from .differences import DifferenceWarning
-from .env import MIMoEnv
+from .env import EMOTES, MIMoEnv
 from .envs import (
     BENCHMARK_XML,
+    BENCHMARK_XML_V2,
     CATCH_XML,
+    DEMO_XML,
     REACH_XML,
+    ROLL_OVER_XML,
     SELFBODY_XML,
     SHOWROOM_XML,
     STANDUP_XML,
@@ -21,6 +24,7 @@ from .envs import (
     MIMoDummyEnv,
     MIMoMuscleDummyEnv,
     MIMoReachEnv,
+    MIMoRollOverEnv,
     MIMoSelfBodyEnv,
     MIMoShowroomEnv,
     MIMoStandupEnv,
@@ -34,13 +38,19 @@ from .params import (
     DEFAULT_VISION_PARAMS,
 )
 from .registry import ENVIRONMENTS, differences, make, register
+from .scenes import scene_directory
+
+SCENE_DIRECTORY = scene_directory("mimoEnv")
 
 register()
 
 __all__ = [
     "ActuationModel",
     "BENCHMARK_XML",
+    "BENCHMARK_XML_V2",
     "CATCH_XML",
+    "DEMO_XML",
+    "EMOTES",
     "DEFAULT_PROPRIOCEPTION_PARAMS",
     "DEFAULT_TOUCH_PARAMS",
     "DEFAULT_TOUCH_PARAMS_V2",
@@ -53,6 +63,7 @@ __all__ = [
     "MIMoEnv",
     "MIMoMuscleDummyEnv",
     "MIMoReachEnv",
+    "MIMoRollOverEnv",
     "MIMoSelfBodyEnv",
     "MIMoShowroomEnv",
     "MIMoStandupEnv",
@@ -60,6 +71,8 @@ __all__ = [
     "MuscleModel",
     "PositionalModel",
     "REACH_XML",
+    "ROLL_OVER_XML",
+    "SCENE_DIRECTORY",
     "SELFBODY_XML",
     "SHOWROOM_XML",
     "STANDUP_XML",

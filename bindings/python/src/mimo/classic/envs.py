@@ -17,15 +17,11 @@ from .params import (
     DEFAULT_VISION_PARAMS,
 )
 
-# The original's files of scenes, and the names of built-in scenes.
-BENCHMARK_XML, REACH_XML, STANDUP_XML, SELFBODY_XML, CATCH_XML, SHOWROOM_XML = (
-    "benchmark",
-    "reach",
-    "standup",
-    "selfbody",
-    "catch",
-    "showroom",
-)
+# The original's files of scenes: names of built-in scenes; the second is the first with five fingers.
+BENCHMARK_XML, BENCHMARK_XML_V2 = "benchmark", "benchmarkv2_scene.xml"
+REACH_XML, STANDUP_XML, SELFBODY_XML, CATCH_XML = "reach", "standup", "selfbody", "catch"
+SHOWROOM_XML = DEMO_XML = "showroom"
+ROLL_OVER_XML = "rollover"
 
 SELF_BODY_SCALES = {
     **dict.fromkeys(("hip", "lower_body", "upper_body", "head"), 0.1),
@@ -64,6 +60,26 @@ class MIMoStandupEnv(MIMoEnv):
     def __init__(self, model_path: Any = STANDUP_XML, **arguments: Any) -> None:
         standard = {"vestibular_params": DEFAULT_VESTIBULAR_PARAMS, "goals_in_observation": False}
         super().__init__(model_path, **{**standard, **arguments})
+
+
+class MIMoRollOverEnv(MIMoEnv):
+    """Lying on the back; the hip should turn over: 0 at the start, 1 on the belly, success at 0.8."""
+
+    def __init__(self, model_path: Any = ROLL_OVER_XML, **arguments: Any) -> None:
+        standard = {
+            "proprio_params": DEFAULT_PROPRIOCEPTION_PARAMS,
+            "vestibular_params": DEFAULT_VESTIBULAR_PARAMS,
+            "goals_in_observation": False,
+        }
+        super().__init__(model_path, **{**standard, **arguments})
+
+    def sample_goal(self) -> float:
+        """The turn of the hip that counts as success."""
+        return float(super().sample_goal()[0])
+
+    def get_achieved_goal(self) -> float:
+        """The turn of the hip."""
+        return float(super().get_achieved_goal()[0])
 
 
 class MIMoSelfBodyEnv(MIMoEnv):

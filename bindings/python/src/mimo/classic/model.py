@@ -1,263 +1,229 @@
-"""`env.model` and `env.data`: members that scripts for the original read, by named access.
+"""`env.model` and `env.data`: MuJoCo's members, on a world of the library.
 
-Arrays are read-only copies; some can be assigned as a whole (`data.qpos = ...`). Missing members raise an error.
+Arrays follow the world, also those that a script keeps. Assigning to their elements sets what the library can set, and
+is refused where it cannot. Missing members raise an error.
 """
 
 from __future__ import annotations
 
-from typing import Any, List, Mapping, NamedTuple, NoReturn, Union
+from functools import cached_property
+from typing import Any, Dict, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..constants import Kind
-from ..selection import Selection
-from ..selections import Joints
 from ..world import World
+from .catalog import Catalog
+from .columns import DATA, MODEL, mocap_bodies, user_numbers
+from .contacts import ContactView
+from .elements import KINDS, Arrays, refuse
+from .live import PAGE, Live, Stage
 
-Numbers = NDArray[np.float64]
-Name = Union[int, str]
-PAGE = "docs/guide/classic.md says what to write instead"
+# MuJoCo's options: the document's attributes and their defaults.
+OPTIONS: Dict[str, Any] = {
+    "iterations": 100,
+    "tolerance": 1e-8,
+    "noslip_iterations": 0,
+    "impratio": 1.0,
+    "density": 0.0,
+    "viscosity": 0.0,
+    "wind": (0.0, 0.0, 0.0),
+    "magnetic": (0.0, -0.5, 0.0),
+}
+# ... and those with names, by MuJoCo's numbers.
+CHOICES: Dict[str, Any] = {
+    "integrator": ("Euler", "RK4", "implicit", "implicitfast"),
+    "cone": ("pyramidal", "elliptic"),
+    "jacobian": ("dense", "sparse", "auto"),
+    "solver": ("PGS", "CG", "Newton"),
+}
+_STANDARD_CHOICES = {"integrator": "Euler", "cone": "pyramidal", "jacobian": "auto", "solver": "Newton"}
+COUNTS = {
+    "nbody": Kind.BODY,
+    "njnt": Kind.JOINT,
+    "ngeom": Kind.GEOM,
+    "nu": Kind.ACTUATOR,
+    "ncam": Kind.CAMERA,
+    "nsite": Kind.SITE,
+    "nsensor": Kind.SENSOR,
+    "nlight": Kind.LIGHT,
+}
+LISTED = {"neq": "equalities", "nmat": "materials", "ntex": "textures", "ntendon": "tendons", "nkey": "keys"}
 
 
-class Contact(NamedTuple):
-    """One contact, with MuJoCo's names."""
-
-    geom1: int
-    geom2: int
-    pos: Numbers  # world, m
-    dist: float  # m, negative: overlap
-    frame: Numbers  # 9: normal from geom 1 to geom 2, two tangents; world
+def stage_of(world: Union[World, Stage, Catalog]) -> Catalog:
+    """What both views of a world share."""
+    if isinstance(world, Catalog):
+        return world
+    return Catalog(world if isinstance(world, Stage) else Stage(world))
 
 
-class Element:
-    """A body, joint, ... with the attributes of MuJoCo that scripts use."""
+class ModelView(Arrays):
+    """The model: counts, constants, elements by name or number, options."""
 
-    def __init__(self, selection: Selection, attributes: Mapping[str, str], address: int = -1) -> None:
-        self.id = int(selection.ids[0])
-        self.name = selection.names[0]
-        self.qposadr = np.array([address])
-        self._selection, self._attributes = selection, attributes
+    _owner, _table = "model", MODEL
+
+    def __init__(self, world: Union[World, Stage, Catalog]) -> None:
+        super().__init__(stage_of(world))
+        self.__dict__["opt"] = OptionView(self._it)
 
     def __getattr__(self, name: str) -> Any:
-        quantity = self.__dict__.get("_attributes", {}).get(name)
-        if quantity is None:
-            refuse(f"an element {self.__dict__.get('name')!r}", name)
-        return frozen(getattr(self._selection, quantity)[0])
-
-
-class ModelView:
-    """The model's counts and names."""
-
-    def __init__(self, world: World) -> None:
-        self._world = world
-        self._joints = world.joints()
-        self._qpos_at, self._qvel_at = _addresses(self._joints)
-        self.opt = OptionView(world)
-        kinds = {"nbody": Kind.BODY, "njnt": Kind.JOINT, "ngeom": Kind.GEOM, "nu": Kind.ACTUATOR, "ncam": Kind.CAMERA}
-        self._counts = {**{name: world.count(kind) for name, kind in kinds.items()}, "nsite": world.count(Kind.SITE)}
-        self._counts.update(nq=int(self._qpos_at[-1]), nv=int(self._qvel_at[-1]), nsensor=world.count(Kind.SENSOR))
-
-    def __getattr__(self, name: str) -> Any:
-        counts = self.__dict__.get("_counts", {})
-        if name not in counts:
-            refuse("model", name)
-        return counts[name]
-
-    def body(self, name: Name) -> Element:
-        """A body by name or number: id, name, mass, parentid."""
-        return _element(self._world, Kind.BODY, name, {"mass": "mass", "parentid": "body_ids"})
-
-    def geom(self, name: Name) -> Element:
-        """A geom by name or number: id, name, bodyid, size, friction, rgba."""
-        attributes = {"bodyid": "body_ids", "size": "size", "friction": "friction", "rgba": "color"}
-        return _element(self._world, Kind.GEOM, name, attributes)
-
-    def actuator(self, name: Name) -> Element:
-        """A motor by name or number: id, name."""
-        return _element(self._world, Kind.ACTUATOR, name, {})
-
-    def camera(self, name: Name) -> Element:
-        """A camera by name or number: id, name."""
-        return _element(self._world, Kind.CAMERA, name, {})
-
-    def site(self, name: Name) -> Element:
-        """A site by name or number: id, name, bodyid."""
-        return _element(self._world, Kind.SITE, name, {"bodyid": "body_ids"})
-
-    def joint(self, name: Name) -> Element:
-        """A joint by name or number: id, name, bodyid, range, qposadr."""
-        attributes = {"bodyid": "body_ids", "range": "range", "damping": "damping"}
-        return _element(self._world, Kind.JOINT, name, attributes, self._qpos_at)
+        if name in COUNTS:
+            return self._it.count(COUNTS[name])
+        if name in LISTED:
+            return len(getattr(self._it.document, LISTED[name]))
+        return super().__getattr__(name)
 
     @property
-    def jnt_qposadr(self) -> NDArray[Any]:
-        """The index of each joint's position in qpos."""
-        return frozen(self._qpos_at[:-1])
+    def nq(self) -> int:
+        """Numbers in qpos."""
+        return int(self._it.qpos_at[-1])
 
     @property
-    def jnt_dofadr(self) -> NDArray[Any]:
-        """The index of each joint's velocity in qvel."""
-        return frozen(self._qvel_at[:-1])
+    def nv(self) -> int:
+        """Numbers in qvel."""
+        return int(self._it.qvel_at[-1])
 
     @property
-    def body_parentid(self) -> NDArray[Any]:
-        """Each body's parent."""
-        return frozen(self._world.bodies().body_ids)
+    def na(self) -> int:
+        """Activations of MuJoCo's own muscles: none."""
+        return 0
 
     @property
-    def body_mass(self) -> Numbers:
-        """Masses, kg."""
-        return frozen(self._world.bodies().mass)
+    def nmocap(self) -> int:
+        """Mocap bodies."""
+        return len(mocap_bodies(self._it))
 
     @property
-    def geom_bodyid(self) -> NDArray[Any]:
-        """The body that each geom belongs to."""
-        return frozen(self._world.geoms().body_ids)
+    def nuser_actuator(self) -> int:
+        """User numbers of each motor."""
+        return int(user_numbers(self._it).shape[1])
 
     @property
-    def actuator_gear(self) -> Numbers:
-        """Gears, one number per motor (the original has six and uses the first)."""
-        return frozen(self._world.actuators().gear)
+    def nsensordata(self) -> int:
+        """Numbers in sensordata."""
+        return int(MODEL["sensor_dim"].read(self._it).sum())
+
+    @property
+    def mat_texid(self) -> Live:
+        """The texture of each material; of the head's it can be set to that of another face."""
+        return self._stage.array(self._textures, self._write_texture)
+
+    @mat_texid.setter
+    def mat_texid(self, values: ArrayLike) -> None:
+        self.mat_texid[...] = values
+
+    def _textures(self) -> Any:
+        names = self.names_of("texture")
+        rows = self._it.document.materials
+        texid = [names.index(row.at["texture"]) if row.at.get("texture") in names else -1 for row in rows]
+        face = self._face_material()
+        if face is not None:
+            texid[self._head()] = texid[face]
+        return np.array(texid, np.int32)
+
+    def _face_material(self) -> Any:
+        materials = self.names_of("material")
+        name = f"mimo_face_{self._world.face()}"
+        return materials.index(name) if name in materials and self._head() is not None else None
+
+    def _head(self) -> Any:
+        materials = self.names_of("material")
+        return next((materials.index(name) for name in ("head", "mimo_face_neutral") if name in materials), None)
+
+    def _write_texture(self, new: Any, old: Any) -> None:
+        changed = np.flatnonzero(new != old)
+        materials = self.names_of("material")
+        faces = [name[len("mimo_face_") :] for name in materials if name.startswith("mimo_face_")]
+        rows = {row.at.get("texture"): row.at.get("name", "") for row in self._it.document.materials}
+        for material in changed:
+            name = rows.get(self.names_of("texture")[int(new[material])], "")[len("mimo_face_") :]
+            if int(material) != self._head() or name not in faces:
+                raise ValueError(f"mat_texid: only the face can be changed here, with world.set_face(name); {PAGE}")
+            self._world.set_face(name)
 
 
 class OptionView:
-    """`model.opt`: time step (s) and gravity (m/s^2), which can be set."""
+    """`model.opt`: gravity (m/s^2) can be set; the rest belongs to the document."""
 
-    def __init__(self, world: World) -> None:
-        self._world = world
+    def __init__(self, catalog: Catalog) -> None:
+        self.__dict__["_it"] = catalog
+
+    @property
+    def gravity(self) -> Live:
+        """Gravity of this world, m/s^2."""
+        world = self._it.world
+        return self._it.stage.array(lambda: world.gravity, lambda new, old: setattr(world, "gravity", new))
 
     @property
     def timestep(self) -> float:
         """Time step of the physics, s."""
-        return self._world.timestep
+        return self._it.world.timestep
 
-    @property
-    def gravity(self) -> Numbers:
-        """Gravity of this world, m/s^2."""
-        return frozen(self._world.gravity)
-
-    @gravity.setter
-    def gravity(self, xyz: ArrayLike) -> None:
-        self._world.gravity = np.asarray(xyz, np.float64)
-
-
-class DataView:
-    """The state of the simulation."""
-
-    def __init__(self, world: World) -> None:
-        self._world = world
-        self._joints, self._actuators = world.joints(), world.actuators()
+    @cached_property
+    def _stated(self) -> Dict[str, str]:
+        return self._it.document.merged("option")
 
     def __getattr__(self, name: str) -> Any:
-        refuse("data", name)
+        if name.startswith("__") or (name not in OPTIONS and name not in CHOICES):
+            refuse("model.opt", name)
+        given = self._stated.get(name)
+        if name in CHOICES:
+            return CHOICES[name].index(given or _STANDARD_CHOICES[name])
+        standard = OPTIONS[name]
+        if isinstance(standard, tuple):
+            values = standard if given is None else [float(it) for it in given.split()]
+            return self._it.stage.array(lambda: np.array(values), None, self._refusal(name))
+        return standard if given is None else type(standard)(float(given))
 
-    @property
-    def qpos(self) -> Numbers:
-        """Positions of all joints, one after the other."""
-        return frozen(self._joints.position)
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name == "gravity":
+            self.gravity[...] = value
+        elif name == "_stated":
+            self.__dict__[name] = value
+        else:
+            before = getattr(self, name)  # refuses unknown names
+            if not np.array_equal(before, value):
+                raise AttributeError(self._refusal(name))
 
-    @qpos.setter
-    def qpos(self, values: ArrayLike) -> None:
-        self._joints.position = np.asarray(values, np.float64)
-        self._world.update()
+    def _refusal(self, name: str) -> str:
+        return (
+            f"model.opt.{name} is a constant here: write <option {name}=.../> in the scene's document; only gravity can "
+            f"be set; {PAGE}"
+        )
 
-    @property
-    def qvel(self) -> Numbers:
-        """Velocities of all joints."""
-        return frozen(self._joints.velocity)
 
-    @qvel.setter
-    def qvel(self, values: ArrayLike) -> None:
-        self._joints.velocity = np.asarray(values, np.float64)
+class DataView(Arrays):
+    """The state of the simulation."""
 
-    @property
-    def ctrl(self) -> Numbers:
-        """Control inputs of all motors."""
-        return frozen(self._actuators.control)
+    _owner, _table = "data", DATA
+
+    def __init__(self, world: Union[World, Stage, Catalog]) -> None:
+        super().__init__(stage_of(world))
 
     @property
     def time(self) -> float:
         """Simulated seconds."""
-        return self._world.time
+        return float(self._world.time)
 
     @property
-    def contact(self) -> List[Contact]:
-        """The contacts of the last physics step."""
-        of = self._world.contacts()
-        rows = zip(of.geoms.tolist(), of.position, of.distance.tolist(), of.frame)
-        return [Contact(geoms[0], geoms[1], pos, dist, frame.ravel()) for geoms, pos, dist, frame in rows]
+    def act(self) -> Any:
+        """Activations of MuJoCo's own muscles: none."""
+        return np.zeros(0)
+
+    @property
+    def contact(self) -> ContactView:
+        """The contacts of the last physics step: arrays (`contact.geom1`) and a list (`contact[0].geom1`)."""
+        stage = self._stage
+        if stage.contacts is None or stage.contacts.time != self._world.time:
+            stage.contacts = ContactView(self._world)
+        return stage.contacts  # type: ignore[no-any-return]
 
     @property
     def ncon(self) -> int:
         """The number of contacts."""
-        return len(self._world.contacts().distance)
-
-    @property
-    def xpos(self) -> Numbers:
-        """Origins of all bodies, world, m."""
-        return frozen(self._world.bodies().position)
-
-    @property
-    def xquat(self) -> Numbers:
-        """Orientations of all bodies, w x y z."""
-        return frozen(self._world.bodies().orientation)
-
-    def body(self, name: Name) -> Element:
-        """A body by name or number: id, name, xpos, xquat."""
-        attributes = {"xpos": "position", "xquat": "orientation", "xipos": "center_of_mass"}
-        return _element(self._world, Kind.BODY, name, attributes)
-
-    def geom(self, name: Name) -> Element:
-        """A geom by name or number: id, name, xpos."""
-        return _element(self._world, Kind.GEOM, name, {"xpos": "position"})
-
-    def site(self, name: Name) -> Element:
-        """A site by name or number: id, name, xpos."""
-        return _element(self._world, Kind.SITE, name, {"xpos": "position"})
-
-    def joint(self, name: Name) -> Element:
-        """A joint by name or number: id, name, qpos, qvel."""
-        return _element(self._world, Kind.JOINT, name, {"qpos": "position", "qvel": "velocity"})
-
-    def actuator(self, name: Name) -> Element:
-        """A motor by name or number: id, name, ctrl, force."""
-        return _element(self._world, Kind.ACTUATOR, name, {"ctrl": "control", "force": "force"})
+        return len(self.contact)
 
 
-def refuse(what: str, name: str) -> NoReturn:
-    """The error for a missing member."""
-    raise AttributeError(f"{what} has no {name!r} here; {PAGE}")
-
-
-def frozen(array: Any) -> NDArray[Any]:
-    """The array, read-only; a single number as an array of one."""
-    values = np.atleast_1d(np.array(array))
-    values.flags.writeable = False
-    return values
-
-
-_SELECT = {
-    Kind.BODY: World.bodies,
-    Kind.JOINT: World.joints,
-    Kind.GEOM: World.geoms,
-    Kind.SITE: World.sites,
-    Kind.CAMERA: World.cameras,
-    Kind.ACTUATOR: World.actuators,
-}
-
-
-def _element(world: World, kind: Kind, name: Name, attributes: Mapping[str, str], addresses: Any = None) -> Element:
-    whole: Selection = _SELECT[kind](world)
-    number = world.find(kind, name) if isinstance(name, str) else int(name)
-    if not 0 <= number < len(whole):
-        raise IndexError(f"{kind.name.lower()} is {name!r}, expected 0 to {len(whole) - 1}")
-    selection = type(whole)(world, whole.ids[number : number + 1])
-    return Element(selection, attributes, -1 if addresses is None else int(addresses[number]))
-
-
-def _addresses(joints: Joints) -> List[NDArray[np.intp]]:
-    """The index of each joint's position and velocity, and at the end their number."""
-    single = [Joints(joints._access, joints.ids[i : i + 1]) for i in range(len(joints))]
-    widths = [[one.position.size for one in single], [one.velocity.size for one in single]]
-    return [np.concatenate([[0], np.cumsum(width)]).astype(np.intp) for width in widths]
+__all__ = ["KINDS", "DataView", "ModelView", "OptionView"]

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any, Mapping, Optional
 
 from ..arguments import number_of
-from ..constants import Kind
+from ..constants import Kind, Quantity
 from ..pictures import ARRAYS
 from ..world import World
 
 MODES = (*ARRAYS, "human")
+TRACKING = ("trackbodyid", "fixedcamid", "type")  # the first is the body that the camera looks at, without a lookat
 CONFIG = {"lookat": "look_at", "distance": "distance", "azimuth": "azimuth", "elevation": "elevation"}
 
 
@@ -17,15 +18,23 @@ class Renderer:
     """Draws the world, from a camera or by `default_camera_config` (m and degrees)."""
 
     def __init__(
-        self, world: World, width: int, height: int, camera: Optional[str], config: Optional[Mapping[str, Any]]
+        self,
+        world: World,
+        width: int,
+        height: int,
+        camera: Optional[str],
+        config: Optional[Mapping[str, Any]],
+        camera_id: Optional[int] = None,
     ) -> None:
+        if camera is None and camera_id is not None and camera_id >= 0:
+            camera = world.name(Kind.CAMERA, camera_id)
         self._world, self._camera = world, camera
         self._window: Any = None
         self._size = {"width": number_of("width", width), "height": number_of("height", height)}
-        unknown = set(config or {}) - set(CONFIG)
+        self.default_cam_config: Mapping[str, Any] = dict(config or {})
+        unknown = set(self.default_cam_config) - {*CONFIG, *TRACKING}
         if unknown:
-            raise ValueError(f"default_camera_config has {min(unknown)!r}, expected {', '.join(CONFIG)}")
-        self._view = {CONFIG[name]: value for name, value in (config or {}).items()}
+            raise ValueError(f"default_camera_config has {min(unknown)!r}, expected {', '.join((*CONFIG, *TRACKING))}")
 
     def render(
         self, render_mode: str = "rgb_array", camera_id: Optional[int] = None, camera_name: Optional[str] = None
@@ -52,7 +61,14 @@ class Renderer:
         name = camera_name or self._camera
         if camera_id is not None and camera_id >= 0:
             name = self._world.name(Kind.CAMERA, camera_id)
-        return self._view if name is None else {"camera": name}
+        return self._view() if name is None else {"camera": name}
+
+    def _view(self) -> Mapping[str, Any]:
+        view = {CONFIG[name]: value for name, value in self.default_cam_config.items() if name in CONFIG}
+        body = self.default_cam_config.get("trackbodyid", -1)
+        if "look_at" not in view and body is not None and int(body) >= 0:
+            view["look_at"] = self._world.get(Quantity.BODY_POSITION, [int(body)], now=True).ravel()
+        return view
 
     def _shown(self, picture: Any) -> None:
         if self._window is None:

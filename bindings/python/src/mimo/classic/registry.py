@@ -19,6 +19,7 @@ ENVIRONMENTS: Mapping[str, Tuple[Any, int]] = {
     "MIMoShowroom-v0": (envs.MIMoShowroomEnv, 500),
     "MIMoReach-v0": (envs.MIMoReachEnv, 1000),
     "MIMoStandup-v0": (envs.MIMoStandupEnv, 500),
+    "MIMoRollOver-v0": (envs.MIMoRollOverEnv, 500),
     "MIMoSelfBody-v0": (envs.MIMoSelfBodyEnv, 500),
     "MIMoCatch-v0": (envs.MIMoCatchEnv, 800),
     "MIMoMuscle-v0": (envs.MIMoMuscleDummyEnv, 6000),
@@ -50,6 +51,18 @@ def register() -> None:
     for name in ENVIRONMENTS:
         if name not in registry:
             registry[name] = _spec(name)
+
+
+def forget() -> None:
+    """Takes these names from Gymnasium's registry."""
+    for name in ENVIRONMENTS:
+        gymnasium.registry.pop(name, None)
+
+
+def register_again() -> None:
+    """Registers them, whatever else has taken the names."""
+    forget()
+    register()
 
 
 def _known(name: Any) -> str:

@@ -3,17 +3,35 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Mapping, Tuple
+import sys
+from contextlib import suppress
+from typing import Any, Dict, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from ..arguments import real_number, vector
-from ..options import AgentOptions, EnvOptions, PhysicsOptions, enums, refuse_unknown
+from ..arguments import vector
+from ..errors import ArgumentError
+from ..options import AgentOptions, EnvOptions, GrowthOptions, PhysicsOptions, enums, refuse_unknown
 from ..scene import Scene, scenes
 from .params import Senses
 
+Numbers = NDArray[Any]
 ROOT = "mimo_location"
+JOINTS_OF_ROOT = (ROOT, "mimo_orientation")  # the original's name of the root's joint, and the library's
+# The original's files of scenes: built-in scenes, and the body that the original has in them.
+FILES: Mapping[str, Tuple[str, str]] = {
+    "benchmark_scene.xml": ("benchmark", "mitten"),
+    "benchmarkv2_scene.xml": ("benchmark", "fingers"),
+    "reach_scene.xml": ("reach", "mitten"),
+    "standup_scene.xml": ("standup", "mitten"),
+    "selfbody_scene.xml": ("selfbody", "mitten"),
+    "catch_scene.xml": ("catch", "fingers"),
+    "showroom.xml": ("showroom", "fingers"),
+    "roll_over_scene.xml": ("rollover", "mitten"),
+    "babybench_base.xml": ("babybench-base", "mitten"),
+}
+ASSETS = {"mimoEnv": ("mimoEnv", "assets"), "mimo_infant": ("mimo_infant", "simulation", "assets")}
 TAKEN = {"proprioception", "vestibular", "vision", "touch", "actuation", "limit_threshold", "frame_skip"}
 
 
@@ -27,6 +45,33 @@ def split(options: Mapping[str, Any], name: str) -> Tuple[Dict[str, Any], Dict[s
     return infant, {key: value for key, value in options.items() if key in enums(PhysicsOptions)}
 
 
+def scene_directory(module: str) -> str:
+    """The folder of scenes: of a checkout of the original on sys.path, else one whose names stand for ours."""
+    below = ASSETS.get(module.partition(".")[0], ASSETS["mimoEnv"])
+    for place in sys.path:
+        folder = os.path.abspath(os.path.join(place or ".", *below))
+        if os.path.isdir(folder):
+            return folder
+    return os.path.join(os.path.dirname(os.path.abspath(__file__)), "assets")
+
+
+def age_of(months: Optional[float], measures: Optional[Mapping[str, float]]) -> Dict[str, Any]:
+    """Options of an infant's age."""
+    if measures:
+        raise NotImplementedError(
+            f"custom_measurements is {dict(measures)!r}: measures of single parts are not there; use the options of "
+            f"growth, {', '.join(enums(GrowthOptions))}"
+        )
+    return {} if months is None else {"age": months}
+
+
+class Start(NamedTuple):
+    """A scene with its infant, and positions of joints that it cannot hold, which worlds set after each reset."""
+
+    scene: Scene
+    late: Dict[str, Numbers]
+
+
 def scene_of(
     model_path: Any,
     infant: Mapping[str, Any],
@@ -35,49 +80,64 @@ def scene_of(
     parameters: Mapping[str, float],
 ) -> Scene:
     """A scene with its infant."""
-    scene, brings_infant = _start(model_path)
-    angles, root = _posed(pose)
-    if brings_infant and root:
-        raise ValueError(f"initial_qpos has {ROOT!r}, but {model_path} places its infant itself")
-    body = {"body": "scene"} if brings_infant else {}
-    scene.add_agents(**{**infant, **body, **root})
+    return start_of(model_path, infant, senses, pose, parameters).scene
+
+
+def start_of(
+    model_path: Any,
+    infant: Mapping[str, Any],
+    senses: Senses,
+    pose: Mapping[str, ArrayLike],
+    parameters: Mapping[str, float],
+) -> Start:
+    """The same, and what its worlds begin with."""
+    scene, body = _start(model_path)
+    late = {joint: np.atleast_1d(np.asarray(value, np.float64)) for joint, value in pose.items()}
+    root = _root_in(late) if body != "scene" else {}
+    if body == "scene":
+        scene.add_agents(**{**infant, "body": body})
+    else:
+        scene.add_agents(**{**({"body": body} if body else {}), **infant, **root})
     if senses.spacings is not None:
         scene.set_touch(None, 0.0)
         for name, metres in senses.spacings.items():
             scene.set_touch(name, metres)
     for name, (width, height) in senses.cameras.items():
         scene.add_camera(name, width=width, height=height)
-    for joint, angle in angles.items():
-        scene.set_pose(joint, angle)
+    for joint in [joint for joint, value in late.items() if len(value) == 1 and joint not in JOINTS_OF_ROOT]:
+        with suppress(ArgumentError):  # beyond the joint's range, where the original lets it start
+            scene.set_pose(joint, float(late[joint][0]))
+            del late[joint]
     for name, value in parameters.items():
         scene.parameters[name] = value
-    return scene
+    return Start(scene, late)
 
 
-def _start(model_path: Any) -> Tuple[Scene, bool]:
+def _root_in(pose: Dict[str, Numbers]) -> Dict[str, Any]:
+    """Takes the root's pose out of a posture, as options of an infant."""
+    options: Dict[str, Any] = {}
+    for joint in JOINTS_OF_ROOT:
+        if joint in pose:
+            place = vector(f"initial_qpos[{joint!r}]", pose.pop(joint).tolist(), 7)
+            options = {"position": list(place[:3]), "orientation": list(place[3:])}
+    return options
+
+
+def _start(model_path: Any) -> Tuple[Scene, str]:
+    """The scene without its infant, and the infant's body: "" for the scene's default, "scene" for its own."""
     if isinstance(model_path, Scene):
-        return model_path.copy(), _brings_infant(model_path)
+        return model_path.copy(), _body_in(model_path)
     path = os.fspath(model_path)
     if path in scenes():
-        return Scene(path), False
-    if not os.path.exists(path):
-        raise FileNotFoundError(f"model_path is {path!r}, expected an MJCF file or one of {', '.join(scenes())}")
-    scene = Scene(file=path)
-    return scene, _brings_infant(scene)
+        return Scene(path), ""
+    if os.path.exists(path):
+        scene = Scene(file=path)
+        return scene, _body_in(scene)
+    name = os.path.basename(path)
+    if name in FILES:
+        return Scene(FILES[name][0]), FILES[name][1]
+    raise FileNotFoundError(f"model_path is {path!r}, expected an MJCF file or one of {', '.join(scenes())}")
 
 
-def _brings_infant(scene: Scene) -> bool:
-    return f'name="{ROOT}"' in scene.xml
-
-
-def _posed(pose: Mapping[str, ArrayLike]) -> Tuple[Dict[str, float], Dict[str, Any]]:
-    """Angles by joint, and the pose of the root if given."""
-    angles: Dict[str, float] = {}
-    root: Dict[str, Any] = {}
-    for joint, value in pose.items():
-        if joint == ROOT:
-            place = vector(f"initial_qpos[{joint!r}]", value, 7)
-            root = {"position": list(place[:3]), "orientation": list(place[3:])}
-        else:
-            angles[joint] = real_number(f"initial_qpos[{joint!r}]", np.asarray(value).item())
-    return angles, root
+def _body_in(scene: Scene) -> str:
+    return "scene" if f'name="{ROOT}"' in scene.xml else ""

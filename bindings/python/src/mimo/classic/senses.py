@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..layout import Observation
 from ..world import World
-from .params import PARTS, Senses
+from .params import ACTUATION, PARTS, Senses
 from .skin import Touch, force_field
 
 Picked = Optional[NDArray[np.intp]]
@@ -31,8 +31,11 @@ class Observer:
         extra: Sequence[str] = (),
     ) -> None:
         fields = world.layout.fields
-        self._parts = [f"proprioception/{name}" for part in senses.parts for name in PARTS[part]]
-        self._parts = [*(name for name in self._parts if name in fields), *extra]
+        named = {part: [f"proprioception/{name}" for name in PARTS[part]] for part in senses.parts}
+        self.fields = {part: [name for name in names if name in fields] for part, names in named.items()}
+        self.extra = list(extra)
+        self._parts = [*(name for names in self.fields.values() for name in names), *extra]
+        self._known = set(fields)
         self._torques = _picked(fields, torque_sensors)
         self._vestibular = [f"vestibular/{name}" for name in senses.vestibular]
         self._cameras = list(senses.cameras)
@@ -41,26 +44,40 @@ class Observer:
         block[...] = 0
         self.boxes = self._boxes(world.layout.views(block))
 
+    @property
+    def actuation_fields(self) -> List[str]:
+        """The fields of what motors do."""
+        return [f"proprioception/{name}" for name in ACTUATION if f"proprioception/{name}" in self._known]
+
     def see(self, views: Observation, worlds: int = 0) -> Dict[str, NDArray[Any]]:
         """The dictionary, with new arrays; `worlds` is the length of their first axis."""
         lead = (worlds,) if worlds else ()
-        seen: Dict[str, NDArray[Any]] = {"observation": self._row(views, lead)}
+        seen: Dict[str, NDArray[Any]] = {"observation": self.row(views, lead)}
         if self.touch is not None:
             seen["touch"] = self.touch.row(views, lead)
-        for name in self._cameras:
-            seen[name] = views[f"vision/{name}"].copy()
+        seen.update(self.pictures(views))
         if self._vestibular:
-            parts = [views[name] for name in self._vestibular]
-            seen["vestibular"] = np.concatenate(parts, axis=-1, dtype=np.float64)
+            seen["vestibular"] = self.balance(views)
         return seen
 
-    def _row(self, views: Observation, lead: Tuple[int, ...]) -> NDArray[np.float64]:
+    def row(
+        self, views: Observation, lead: Tuple[int, ...] = (), only: Optional[Sequence[str]] = None
+    ) -> NDArray[np.float64]:
+        """`observation`, or some of its fields."""
         rows: List[NDArray[Any]] = []
-        for name in self._parts:
+        for name in self._parts if only is None else only:
             values = views[name].reshape((*lead, -1))
             picks = self._torques if name == "proprioception/torque" else None
             rows.append(values if picks is None else values[..., picks])
-        return np.concatenate(rows, axis=-1, dtype=np.float64)
+        return np.concatenate(rows, axis=-1, dtype=np.float64) if rows else np.zeros((*lead, 0))
+
+    def balance(self, views: Observation) -> NDArray[np.float64]:
+        """`vestibular`."""
+        return np.concatenate([views[name] for name in self._vestibular], axis=-1, dtype=np.float64)
+
+    def pictures(self, views: Observation) -> Dict[str, NDArray[np.uint8]]:
+        """One picture a camera."""
+        return {name: views[f"vision/{name}"].copy() for name in self._cameras}
 
     def _boxes(self, views: Observation) -> Dict[str, spaces.Box]:
         """Unbounded spaces, as in the original; pictures are 0 to 255."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, Tuple
+from typing import Any, Dict, List, Mapping, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,8 @@ def force_field(fields: Mapping[str, Any]) -> str:
 
 class Touch:
     """The member `touch` of the original's environments: `sensor_positions` and `sensor_outputs` by number of body."""
+
+    touch_size = 3  # numbers of a sensor
 
     def __init__(self, world: World, field: str) -> None:
         receptors = world.layout.receptors(field)
@@ -42,6 +44,15 @@ class Touch:
         self._felt = felt
         return felt.reshape((*lead, -1)).copy()
 
+    def belongs_to(self, env: Any) -> None:
+        """Takes the environment that `get_touch_obs` observes."""
+        self.env, self.touch_params = env, env.touch_params
+
+    def get_touch_obs(self) -> NDArray[np.float32]:
+        """The forces of all sensors in the current state: N x 3, N; of bodies in the order of their numbers."""
+        self.row(self.env.seen())
+        return self._felt.reshape(-1, self.touch_size).copy()
+
     @property
     def sensor_outputs(self) -> ByBody:
         """Forces of the last observation by number of body: N x 3, N."""
@@ -55,3 +66,16 @@ class Touch:
     def get_total_sensor_count(self) -> int:
         """The number of sensors."""
         return len(self._bodies)
+
+    def get_sensor_count(self, body_id: int) -> int:
+        """The number of sensors on a body."""
+        return len(self.sensor_positions[int(body_id)])
+
+    def has_sensors(self, body_id: int) -> bool:
+        """Whether a body has sensors."""
+        return int(body_id) in self.sensor_positions
+
+    @property
+    def sensing_bodies(self) -> List[int]:
+        """Numbers of the bodies with sensors."""
+        return list(self.sensor_positions)

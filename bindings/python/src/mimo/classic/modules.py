@@ -1,0 +1,136 @@
+"""Lets `import mimoEnv` and its relatives find this package, and files of a script's checkout beside them."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+from types import ModuleType
+from typing import Any, Dict, List, Optional
+
+from .live import PAGE
+from .names import ENGINE, MODULES, OLD_GYM, file_of, folders, is_ours, ours
+from .scenes import scene_directory
+
+
+class Alias(ModuleType):
+    """A module of the original: the names are ours; those that it lacks come from a file of that name, if one exists."""
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        if name == "SCENE_DIRECTORY":
+            return scene_directory(self.__name__)
+        try:
+            found = ours(self.__name__, name)
+        except AttributeError:
+            found = self._from_file(name)
+        self.__dict__[name] = found
+        return found
+
+    def _from_file(self, name: str) -> Any:
+        own = self.__dict__.get("_own_file")
+        if own and not self.__dict__.get("_reading"):
+            self.__dict__["_reading"] = True
+            values = _executed(self.__name__, own)
+            self.__dict__.update({key: value for key, value in values.items() if key not in self.__dict__})
+            if name in values:
+                return values[name]
+        raise AttributeError(f"{self.__name__} has no {name!r} here; {PAGE}")
+
+
+def _executed(name: str, file: str) -> Dict[str, Any]:
+    """The names that a file of a checkout defines. Its classes belong to the module `name`."""
+    package = name if file.endswith("__init__.py") else name.rpartition(".")[0]
+    values: Dict[str, Any] = {"__name__": name, "__file__": file, "__package__": package}
+    with open(file, encoding="utf-8") as source:
+        exec(compile(source.read(), file, "exec"), values)
+    return {key: value for key, value in values.items() if not key.startswith("__")}
+
+
+class Finder(MetaPathFinder, Loader):
+    """Finds the original's modules, the stand-in for `mujoco`, and the old `gym`."""
+
+    def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Optional[ModuleSpec]:
+        """Modules that are ours; other files in a checkout's packages are found as usual."""
+        root = fullname.partition(".")[0]
+        if fullname in MODULES or fullname == ENGINE or root == OLD_GYM:
+            return importlib.util.spec_from_loader(fullname, self, is_package=True)
+        return None
+
+    def create_module(self, spec: ModuleSpec) -> Optional[ModuleType]:
+        """The module."""
+        if spec.name == ENGINE:
+            from .engine import stand_in
+
+            return stand_in(_without_finder(ENGINE))
+        if spec.name.partition(".")[0] == OLD_GYM:
+            from .old_gym import module_of
+
+            return module_of(spec.name)
+        return Alias(spec.name, f"Of {', '.join(MODULES[spec.name]) or 'this package'}, for scripts for the original.")
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Adds what a checkout has beside it."""
+        if not isinstance(module, Alias):
+            return
+        name = module.__name__
+        parent = sys.modules.get(name.rpartition(".")[0])
+        path: List[str] = list(getattr(parent, "__path__", [])) if parent is not None else sys.path
+        module.__path__ = folders(name, path)
+        module.__dict__["_own_file"] = file = file_of(name, path)
+        register()
+        if file and "." not in name and name != "babybench":
+            _with_own_names(module)
+
+
+def _with_own_names(module: Alias) -> None:
+    """Reads a checkout's package file, which registers environments of its own; the original's names stay ours."""
+    from .registry import forget, register_again
+
+    forget()
+    try:
+        module.__dict__["_reading"] = True
+        values = _executed(module.__name__, module.__dict__["_own_file"])
+    finally:
+        register_again()
+    module.__dict__.update({key: value for key, value in values.items() if key not in module.__dict__})
+
+
+def _without_finder(name: str) -> Optional[ModuleType]:
+    """The real module, None if it is not installed."""
+    finders = [finder for finder in sys.meta_path if isinstance(finder, Finder)]
+    for finder in finders:
+        sys.meta_path.remove(finder)
+    stored = {key: sys.modules.pop(key) for key in list(sys.modules) if key == name}
+    try:
+        return importlib.import_module(name) if importlib.util.find_spec(name) is not None else None
+    finally:
+        sys.modules.update(stored)
+        for finder in reversed(finders):
+            sys.meta_path.insert(0, finder)
+
+
+def register() -> None:
+    """Registers the environments of the original and of the competition."""
+    importlib.import_module("mimo.classic")
+    importlib.import_module("mimo.babybench")
+
+
+def install() -> None:
+    """From now on scripts for the original run: their imports find this package."""
+    if any(isinstance(finder, Finder) for finder in sys.meta_path):
+        return
+    register()
+    for name in list(sys.modules):
+        if is_ours(name) or name.partition(".")[0] == OLD_GYM:
+            del sys.modules[name]
+    real = sys.modules.pop(ENGINE, None)
+    sys.meta_path.insert(0, Finder())
+    if real is not None:
+        importlib.import_module(ENGINE)
+    from .wrappers import pass_members_on
+
+    pass_members_on()
