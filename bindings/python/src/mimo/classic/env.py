@@ -269,8 +269,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         else:
             raise NotImplementedError(
                 f"_set_action with {type(self.actuation_model).__name__}, then single physics steps, needs frame_skip=1"
-                f
-                f"or a derived class with its own do_simulation; {PAGE}"
+                f" or a derived class with its own do_simulation; {PAGE}"
             )
         self.stage.moved()
 

@@ -189,8 +189,8 @@ class OptionView:
 
     def _refusal(self, name: str) -> str:
         return (
-            f"model.opt.{name} is a constant here: write <option {name}=.../> in the scene's document; only gravity can "
-            f"be set; {PAGE}"
+            f"model.opt.{name} is a constant here: write <option {name}=.../> in the scene's document; only gravity "
+            f"can be set; {PAGE}"
         )
 
 

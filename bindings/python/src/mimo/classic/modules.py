@@ -16,7 +16,7 @@ from .scenes import scene_directory
 
 
 class Alias(ModuleType):
-    """A module of the original: the names are ours; those that it lacks come from a file of that name, if one exists."""
+    """A module of the original: our names; those that it lacks come from a file of that name, if one exists."""
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
