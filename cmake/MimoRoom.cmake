@@ -57,6 +57,9 @@ function(mimo_room name)
     endif()
     if(NOT room_APART)  # most of the compile time goes into headers, which a batch reads once
       set_target_properties(mimo_${name} PROPERTIES UNITY_BUILD ${MIMO_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+      if(MIMO_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+        target_compile_options(mimo_${name} PRIVATE -Wno-shadow)  # it warns of names that other files of a batch have
+      endif()
     endif()
     target_include_directories(mimo_${name} PUBLIC ${include_dir})
     target_link_libraries(mimo_${name} PUBLIC ${room_LIBRARIES} PRIVATE ${dependencies})

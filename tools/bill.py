@@ -13,12 +13,12 @@ COMPILED = [
     ("Eigen", "MPL-2.0", "libeigen3-dev"),
     ("fmt", "MIT", "libfmt-dev"),
     ("Highway", "Apache-2.0", "highway"),
+    ("JSON for Modern C++", "MIT", "nlohmann-json3-dev"),
     ("pugixml", "MIT", "pugixml"),
     ("zlib", "Zlib", "zlib"),
 ]
 IN_PROGRAM = [
     ("CLI11", "BSD-3-Clause", "libcli11-dev"),
-    ("JSON for Modern C++", "MIT", "nlohmann-json3-dev"),
     ("libpng", "libpng-2.0", "libpng1.6"),
 ]
 MUJOCO = ("MuJoCo", "Apache-2.0", "2.2.2")
