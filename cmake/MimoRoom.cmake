@@ -41,6 +41,11 @@ function(mimo_room name)
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   mimo_on_this_platform(sources)
+  foreach(source IN LISTS sources)
+    if(source MATCHES "_windows\\.cpp$")  # a batch would see the macros of Windows' headers
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
   if(room_LINUX_ELSE AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
     list(REMOVE_ITEM sources ${folder}/${room_LINUX_ELSE})
   elseif(room_LINUX_ELSE)
