@@ -10,13 +10,14 @@ from .ctest import run_workflow
 from .need import need
 from .pins import tool
 from .same import check_same
-from .shell import BUILD, PYTHON, ROOT, copy, fail, must, only, output, run, run_quietly, try_run
+from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, must, only, output, run, run_quietly, try_run
 from .systems import SYSTEMS
 from .wheels import RELEASE, WHEELS, put_wheel, wheel_for
 
 LINUX, ARM = SYSTEMS["linux"], SYSTEMS["arm"]
 PACKAGES = RELEASE / "packages"  # the wheel for any Linux and what it needs, for the Python of this system
 FIRST_STEPS = "tests/package/first_steps.py"
+FURTHER = 20  # steps of a state in each place that it moves to
 
 
 def check_same_as_here(expected, *command):
@@ -59,12 +60,34 @@ def test_system(system):
     run_workflow(system.name)
 
 
+def check_moved(here, there, folder):
+    """Moves states to another system and back: they stay as they are, and worlds go on as if they had stayed here.
+
+    here, there: commands of the program in tests/states, which run in the folder.
+    """
+    for name in ("start", "first", "stayed", "there", "back", "unchanged"):
+        fresh(folder / name)
+    run(*here, "write", "start", cwd=folder)
+    run(*here, "go", "start", FURTHER, "first", FURTHER, "stayed", cwd=folder)
+    run(*there, "go", "start", FURTHER, "there", cwd=folder)
+    run(*here, "go", "there", FURTHER, "back", cwd=folder)
+    run(*there, "go", "start", 0, "unchanged", cwd=folder)
+    for one, other in (("start", "unchanged"), ("stayed", "back")):
+        for file in folder.glob(f"{one}/*.state"):
+            if file.read_bytes() != (folder / other / file.name).read_bytes():
+                fail(f"{folder}: {file.name} of '{one}' and '{other}' differ by {there[0]}")
+    print(f"States move by {there[0]} and back, and worlds go on with the same bytes")
+
+
 def check_release(suite, python, same, steps):
     """Checks that another release of Debian, whose C library is another, gives the same numbers as this system."""
     root = foreign_debian(suite, suite, "amd64")
-    copy([ROOT / FIRST_STEPS, *(LINUX.folder / file for file in ("bin/capi_same", *LINUX.libraries))], root / "opt")
+    programs = (LINUX.folder / "bin" / name for name in ("capi_same", "kept_states"))
+    copy([ROOT / FIRST_STEPS, *programs, *(LINUX.folder / library for library in LINUX.libraries)], root / "opt")
     inside, native = ("chroot", root, "env"), "/opt/packages/mimo/_native"
     check_same_as_here(same, *inside, "LD_LIBRARY_PATH=/opt", "/opt/capi_same")
+    there = (*inside, "--chdir=/opt/moved", "LD_LIBRARY_PATH=/opt", "/opt/kept_states")
+    check_moved((LINUX.folder / "bin/kept_states",), there, root / "opt/moved")
     put_wheel(LINUX, python, root / "opt/packages")
     check_same_as_here(steps, *inside, "PYTHONPATH=/opt/packages", "/usr/bin/python3", "/opt/first_steps.py")
     run_quietly(*inside, f"LD_LIBRARY_PATH={native}", f"{native}/mimo", "info")  # without /proc
@@ -90,10 +113,12 @@ def test_arm():
     """Tests the build for 64-bit ARM, whose MuJoCo gives the numbers of Debian's: both are for all processors."""
     need("arm")
     test_system(ARM)
-    build("release", "capi_same")
+    build("release", "capi_same", "kept_states")
     use_mujoco()
-    same, qemu = output(BUILD / "bin/capi_same"), ("qemu-aarch64", "-L")
-    check_same_as_here(same, *qemu, "/usr/aarch64-linux-gnu", ARM.folder / "bin/capi_same")
+    qemu = ("qemu-aarch64", "-L")
+    foreign = (*qemu, "/usr/aarch64-linux-gnu")
+    check_same_as_here(output(BUILD / "bin/capi_same"), *foreign, ARM.folder / "bin/capi_same")
+    check_moved((BUILD / "bin/kept_states",), (*foreign, ARM.folder / "bin/kept_states"), ARM.folder / "moved")
     root = foreign_debian("debian-arm", "bookworm", "arm64")
     packages, steps = root / "opt/packages", steps_here()
     wheel_for(ARM)

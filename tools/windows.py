@@ -6,7 +6,7 @@ import shutil
 
 from .cross import build_for
 from .csharp import MADE, build_tests, dotnet
-from .elsewhere import FIRST_STEPS, steps_here, test_system
+from .elsewhere import FIRST_STEPS, check_moved, steps_here, test_system
 from .need import need
 from .pins import PINS, check_hash, unzip
 from .same import check_same
@@ -15,7 +15,7 @@ from .systems import SYSTEMS
 from .wheels import RELEASE, put_wheel, wheel_for
 
 WINDOWS, LINUX = SYSTEMS["windows"], SYSTEMS["linux"]
-FOLDER = WINDOWS.folder
+FOLDER, WINE64 = WINDOWS.folder, "/usr/lib/wine/wine64"
 WINE = {"WINEDEBUG": "-all", "WINEPREFIX": str(FOLDER / "wine")}
 PYTHON = RELEASE / "python-windows"
 PACKAGES = PYTHON / "packages"  # the wheel and what it needs
@@ -29,7 +29,7 @@ def on_windows(path):
 
 def wine(*command, **variables):
     """Runs a program for Windows; its lines end as here. Python there takes pipes only."""
-    status, said = try_run("/usr/lib/wine/wine64", *command, env={**WINE, **variables})
+    status, said = try_run(WINE64, *command, env={**WINE, **variables})
     return status, said.replace("\r", "").rstrip("\n")
 
 
@@ -70,6 +70,13 @@ def check_pictures():
     run_quietly(LINUX.folder / "bin/mimo", *PICTURES, pictures / "here")
     must("Windows draws other pictures", "diff", "-r", pictures / "here", pictures / "windows")
     print("The same pictures on Windows")
+
+
+def check_states():
+    """States move to Windows and back, as there is the same MuJoCo in the build for any Linux."""
+    build_for(LINUX, "kept_states")
+    here, there = LINUX.folder / "bin/kept_states", FOLDER / "bin/kept_states.exe"
+    check_moved((here,), (WINE64, there), FOLDER / "moved")
 
 
 def check_wheel():
@@ -116,6 +123,7 @@ def test_windows():
     test_system(WINDOWS)
     print(says(FOLDER / "bin/mimo.exe", "--version"))
     check_pictures()
+    check_states()
     check_wheel()
     check_csharp()
     check_other_mujoco()

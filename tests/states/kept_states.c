@@ -1,6 +1,8 @@
 /* States of worlds that go on with versions to come.
  *   kept_states write FOLDER   saves a few, with the numbers that follow from them (./dev freeze does it for a version)
  *   kept_states check FOLDER   loads them, and finds those numbers again: at once exactly, later to rounding
+ *   kept_states go FROM N TO [N TO...]   loads them, goes on for N steps, and saves them; tools/elsewhere.py moves them
+ * so
  */
 #include "support/capi.h"
 
@@ -82,19 +84,35 @@ static void write_numbers(FILE* file, mimo_env* env) {
   for (i = 0; i < count; ++i) fprintf(file, "%.17g\n", numbers[i]);
 }
 
-static void write_state(const char* folder, const char* name) {
+static void save(mimo_env* env, const char* folder, const char* name) {
   static uint8_t state[MOST];
-  mimo_env* env = env_of(name);
   size_t bytes = 0;
   FILE* file;
-  CHECK_OK(mimo_env_reset(env, SEED(5), NULL, 0));
-  step(env, STEPS);
   CHECK_OK(mimo_env_state_size(env, &bytes));
   CHECK(bytes <= sizeof state);
   CHECK_OK(mimo_env_state_save(env, state, sizeof state));
   file = open_file(folder, name, "state", "wb");
   CHECK(fwrite(state, 1, bytes, file) == bytes);
   fclose(file);
+}
+
+static void load(mimo_env* env, const char* folder, const char* name) {
+  static uint8_t state[MOST];
+  mimo_load_report report;
+  FILE* file = open_file(folder, name, "state", "rb");
+  const size_t bytes = fread(state, 1, sizeof state, file);
+  fclose(file);
+  report.struct_size = sizeof report;
+  CHECK_OK(mimo_env_state_load(env, state, bytes, &report));
+  CHECK(report.fresh == 0 && report.ignored == 0);
+}
+
+static void write_state(const char* folder, const char* name) {
+  mimo_env* env = env_of(name);
+  FILE* file;
+  CHECK_OK(mimo_env_reset(env, SEED(5), NULL, 0));
+  step(env, STEPS);
+  save(env, folder, name);
   file = open_file(folder, name, "txt", "w");
   write_numbers(file, env);
   step(env, FURTHER);
@@ -114,15 +132,9 @@ static void check_numbers(FILE* file, mimo_env* env, double tolerance) {
 }
 
 static void check_state(const char* folder, const char* name) {
-  static uint8_t state[MOST];
-  mimo_load_report report;
   mimo_env* env = env_of(name);
-  FILE* file = open_file(folder, name, "state", "rb");
-  const size_t bytes = fread(state, 1, sizeof state, file);
-  fclose(file);
-  report.struct_size = sizeof report;
-  CHECK_OK(mimo_env_state_load(env, state, bytes, &report));
-  CHECK(report.fresh == 0 && report.ignored == 0);
+  FILE* file;
+  load(env, folder, name);
   file = open_file(folder, name, "txt", "r");
   check_numbers(file, env, 1e-12);
   step(env, FURTHER);
@@ -131,15 +143,29 @@ static void check_state(const char* folder, const char* name) {
   mimo_env_destroy(env);
 }
 
+static void go_on(const char* name, char** from, int count) {
+  mimo_env* env = env_of(name);
+  int i;
+  load(env, from[0], name);
+  for (i = 1; i + 1 < count; i += 2) {
+    step(env, atoi(from[i]));
+    save(env, from[i + 1], name);
+  }
+  mimo_env_destroy(env);
+}
+
 int main(int argc, char** argv) {
   size_t i;
-  const int writes = argc == 3 && strcmp(argv[1], "write") == 0;
-  if (!writes && (argc != 3 || strcmp(argv[1], "check") != 0)) {
-    fprintf(stderr, "usage: %s write|check FOLDER\n", argv[0]);
+  const char* what = argc > 2 ? argv[1] : "";
+  const int goes = strcmp(what, "go") == 0, writes = strcmp(what, "write") == 0;
+  if (!goes && !writes && strcmp(what, "check") != 0) {
+    fprintf(stderr, "usage: %s write|check FOLDER, or go FROM STEPS TO...\n", argv[0]);
     return 2;
   }
   for (i = 0; i < sizeof kNames / sizeof *kNames; ++i) {
-    if (writes)
+    if (goes)
+      go_on(kNames[i], argv + 2, argc - 2);
+    else if (writes)
       write_state(argv[2], kNames[i]);
     else
       check_state(argv[2], kNames[i]);
