@@ -73,10 +73,10 @@ def check_pictures():
 
 
 def check_states():
-    """States move to Windows and back, as there is the same MuJoCo in the build for any Linux."""
+    """States move to Windows and back unchanged. Steps there differ by rounding: docs/platforms.md."""
     build_for(LINUX, "kept_states")
     here, there = LINUX.folder / "bin/kept_states", FOLDER / "bin/kept_states.exe"
-    check_moved((here,), (WINE64, there), FOLDER / "moved")
+    check_moved((here,), (WINE64, there), FOLDER / "moved", steps=0)
 
 
 def check_wheel():
