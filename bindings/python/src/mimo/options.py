@@ -13,6 +13,7 @@ from typing import Any, Dict, Literal, Mapping, Optional, Sequence, Union, get_a
 
 import numpy as np
 
+from . import option_types
 from ._library import utf8
 from .arguments import real_number, unexpected, vector, whole_number
 from .option_types import (
@@ -82,7 +83,8 @@ class Options(EnvOptions, WorldOptions, total=False):
 @lru_cache(maxsize=None)
 def enums(kind: Any) -> Dict[str, Any]:
     """The options of a class above, each with the enumeration that it takes, or None."""
-    hints = get_type_hints(kind)
+    # The first releases of Python 3.9 look for names of a class's bases in the module of the class alone.
+    hints = get_type_hints(kind, {**vars(option_types), **globals()})
     return {name: next((it for it in (hint, *get_args(hint)) if _is_enum(it)), None) for name, hint in hints.items()}
 
 
