@@ -133,6 +133,7 @@ class Api:
     enums: list[Enum] = field(default_factory=list)
     structs: list[Struct] = field(default_factory=list)
     functions: list[Function] = field(default_factory=list)
+    made: dict[str, str] = field(default_factory=dict)  # by the targets before: the text of each file
 
     def constant(self, name: str) -> Constant:
         return next(one for one in self.constants if one.name == name)

@@ -20,6 +20,8 @@ sys.path.insert(0, str(HERE))
 import api  # noqa: E402
 import describe  # noqa: E402
 
+LAST = "bindings_page"  # reads what the others made
+
 
 def targets():
     return sorted(path.stem for path in (HERE / "targets").glob("*.py") if not path.stem.startswith("_"))
@@ -30,7 +32,8 @@ def made(names):
     text = describe.text()
     files, complaints = {"interface/interface.json": text}, []
     interface = api.from_data(json.loads(text))
-    for name in names:
+    interface.made = files
+    for name in sorted(names, key=LAST.__eq__):
         try:
             files |= importlib.import_module(f"targets.{name}").files(interface)
         except describe.Undescribable as error:

@@ -114,21 +114,28 @@ static void poses(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = rows_of(values, 7, count);
 }
 
-/* converted = convert(what, values, axes): points or directions, 3 x n */
+static const conversion* conversion_of(const char* what) {
+  const conversion* one = mimo_conversions;
+  while (one->what != NULL && strcmp(one->what, what) != 0) ++one;
+  if (one->what == NULL) mimo_refuse("what is \"%s\", which mimo_convert does not convert: help mimo_convert", what);
+  return one;
+}
+
+/* converted = convert(what, values, axes): a column for each */
 static void convert(int nout, mxArray* out[], int nin, const mxArray* in[]) {
-  mimo_status (*function)(int32_t, float*, size_t) = mimo_convert_points;
+  const conversion* one;
   size_t count, i;
   const double* numbers;
   float* values;
   (void)nout;
-  mimo_need(nin == 3, "expected what, three rows of numbers, and axes");
+  mimo_need(nin == 3, "expected what, columns of numbers, and axes");
+  one = conversion_of(mimo_text(in[0], "what"));
   count = mxGetN(in[1]);
-  numbers = mimo_matrix(in[1], "values", 3, count, "three rows, a column for each");
-  if (strcmp(mimo_text(in[0], "what"), "directions") == 0) function = mimo_convert_directions;
-  values = mxCalloc(3 * count + 1, sizeof *values);
-  for (i = 0; i < 3 * count; ++i) values[i] = (float)numbers[i];
-  mimo_check(function(read_axes(in[2]), values, count));
-  out[0] = rows_of(values, 3, count);
+  numbers = mimo_matrix(in[1], "values", one->rows, count, "a column for each");
+  values = mxCalloc(one->rows * count + 1, sizeof *values);
+  for (i = 0; i < one->rows * count; ++i) values[i] = (float)numbers[i];
+  mimo_check(one->function(read_axes(in[2]), values, count));
+  out[0] = rows_of(values, one->rows, count);
 }
 
 const mimo_command mimo_engine_commands[] = {{"mesh", mesh},   {"appearance", appearance}, {"texture", texture},

@@ -33,4 +33,12 @@ typedef struct quantity {
   size_t each; /* of contacts, which have no names: how many values each has; 0: the others have names */
 } quantity;
 
+/* What converts columns of so many rows to an engine's frame. A list of them ends with a `what` that is NULL. */
+typedef struct conversion {
+  const char* what;
+  mimo_status (*function)(int32_t axes, float* values, size_t count);
+  size_t rows;
+} conversion;
+extern const conversion mimo_conversions[];
+
 #endif

@@ -31,7 +31,10 @@ extern "C" {
  */
 MIMO_API mimo_status mimo_convert_points(int32_t axes, float *points, size_t point_count) MIMO_NOEXCEPT;
 
-/** Converts directions in place: normals, forces, velocities; their lengths do not change. */
+/**
+ * Converts directions in place: normals, forces, velocities; their lengths do not change.
+ * @param directions three numbers each, in libmimo's frame.
+ */
 MIMO_API mimo_status mimo_convert_directions(int32_t axes, float *directions, size_t direction_count) MIMO_NOEXCEPT;
 
 /**

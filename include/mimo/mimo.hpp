@@ -21,6 +21,7 @@
 #include "hpp/batch.hpp"
 #include "hpp/configs.hpp"
 #include "hpp/env.hpp"
+#include "hpp/conversions.hpp"
 #include "hpp/geometry.hpp"
 #include "hpp/handles.hpp"
 #include "hpp/layout.hpp"

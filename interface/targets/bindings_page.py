@@ -1,5 +1,6 @@
 """docs/bindings.md: which language reaches which function. One that a language lacks without a reason is named."""
 
+import fnmatch
 import re
 from pathlib import Path
 
@@ -24,18 +25,21 @@ def files(api):
     return {PAGE: f"{before}{BEGIN}\n\n{table(api)}\n\n{END}{rest.split(END)[1]}"}
 
 
-def reached(language):
-    files, before = LANGUAGES[language]
-    paths = [path for pattern in files.split() for path in sorted(ROOT.glob(pattern))]
-    return {name for path in paths for name in re.findall(before + r"(mimo_[a-z_0-9]+)\b", path.read_text("utf-8"))}
+def reached(language, made):
+    """The functions that a language calls, by its files and by those that were made of the interface just now."""
+    patterns, before = LANGUAGES[language]
+    paths = {str(path.relative_to(ROOT)) for pattern in patterns.split() for path in ROOT.glob(pattern)}
+    paths |= {path for path in made if any(fnmatch.fnmatch(path, pattern) for pattern in patterns.split())}
+    texts = [made.get(path) or (ROOT / path).read_text("utf-8") for path in paths]
+    return {name for text in texts for name in re.findall(before + r"(mimo_[a-z_0-9]+)\b", text)}
 
 
 class Cells:
     """Whether a language reaches a function, or why not; remembers what is wrong."""
 
-    def __init__(self):
+    def __init__(self, made):
         self.reasons = notes.read()["unreached"]
-        self.has = {language: reached(language) for language in LANGUAGES}
+        self.has = {language: reached(language, made) for language in LANGUAGES}
         self.wrong, self.used = [], set()
 
     def reason(self, language, function):
@@ -60,7 +64,7 @@ class Cells:
 
 
 def table(api):
-    cells, lines = Cells(), []
+    cells, lines = Cells(api.made), []
     for header in api.headers:
         functions = [one.name for one in api.functions if one.header == header.name]
         if functions:

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 #include <mimo/mimo.hpp>
+#include <stdexcept>
+#include <string>
 
 #include "support/capi.h"
 
@@ -51,6 +53,14 @@ void check_places(const mimo::Env& env) {
   mimo::convert_points(MIMO_AXES_UNREAL, points);
   mimo::convert_directions(MIMO_AXES_UNREAL, directions);
   CHECK(points[1] == -200.0F && directions[1] == -2.0F);
+  points.push_back(1);
+  std::string told;
+  try {
+    mimo::convert_points(MIMO_AXES_UNREAL, points);
+  } catch (const std::invalid_argument& error) {
+    told = error.what();
+  }
+  CHECK(told == "points has 4 numbers, expected a multiple of 3");
   CHECK(env.light(MIMO_HEADLIGHT).directional == 1);
   CHECK(env.count(MIMO_LIGHT) > 0 && env.light(0, MIMO_AXES_GODOT).axes == MIMO_AXES_GODOT);
 }

@@ -241,6 +241,6 @@ def test_wrong_arguments(small):
         small.mesh("head", segments=6)
     with pytest.raises(mimo.NotFoundError, match="no geom named"):
         small.appearance("tail")
-    with pytest.raises(ValueError, match="rows of three"):
+    with pytest.raises(ValueError, match="rows of 3"):
         mimo.convert_points([1, 2], "godot")
     np.testing.assert_array_equal(mimo.convert_directions([[1, 2, 3]], "gltf"), [[2, 3, 1]])

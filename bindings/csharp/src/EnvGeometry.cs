@@ -28,29 +28,6 @@ namespace Mimo
         public byte[] Pixels { get; internal set; }
     }
 
-    /// <summary>Conversion of points and directions to an engine's frame.</summary>
-    public static class Frames
-    {
-        /// <summary>Converts points in place, three numbers each, for example the positions of touch sensors.</summary>
-        public static void ConvertPoints(Axes axes, float[] points)
-        {
-            MimoException.Check(Native.mimo_convert_points((int)axes, points, Triples(points, "points")));
-        }
-
-        private static UIntPtr Triples(float[] numbers, string name)
-        {
-            if (Given.Some(numbers, name, "an array").Length % 3 != 0)
-                throw Given.Misfit(numbers, name, "expected three numbers for each");
-            return (UIntPtr)(numbers.Length / 3);
-        }
-
-        /// <summary>Converts directions in place. Their lengths do not change.</summary>
-        public static void ConvertDirections(Axes axes, float[] directions)
-        {
-            MimoException.Check(Native.mimo_convert_directions((int)axes, directions, Triples(directions, "directions")));
-        }
-    }
-
     /// <summary>Shapes, textures, lights and poses, for engines that draw the world themselves.</summary>
     public sealed partial class Env
     {

@@ -56,6 +56,14 @@ namespace Mimo
         /// <summary>The length of an array, 0 for null.</summary>
         internal static UIntPtr LengthOrNone(Array array) { return (UIntPtr)(array == null ? 0 : array.Length); }
 
+        /// <summary>How many rows of so many numbers an array has; refuses null, and numbers left over.</summary>
+        internal static UIntPtr Rows(float[] numbers, int width, string name)
+        {
+            if (Some(numbers, name, "an array").Length % width != 0)
+                throw Misfit(numbers, name, "expected " + width + " numbers for each");
+            return (UIntPtr)(numbers.Length / width);
+        }
+
         // "Single[5]"
         private static string Named(Array array)
         {

@@ -107,7 +107,7 @@ internal static partial class Tests
             Says("into is Single[3], but proprioception/position has " + count + " elements of type F32",
                 () => env.Read(position, new float[3]));
             Says("into is Double[" + count + "], but proprioception/position", () => env.Read(position, new double[count]));
-            Says("directions is Single[4], expected three numbers for each", () => Frames.ConvertDirections(Axes.Unity, new float[4]));
+            Says("directions is Single[4], expected 3 numbers for each", () => Frames.ConvertDirections(Axes.Unity, new float[4]));
             Says("value_count is 1", () => env.Get(Quantity.JointPosition, null, new double[1]));
         }
         using (var env = new Env("benchmark"))

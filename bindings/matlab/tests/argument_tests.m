@@ -55,6 +55,7 @@ function complex_numbers_are_refused()
   refused_as(@() mimo_look_at(worlds, [0 0 1i]), 'point: expected real numbers');
   refused_as(@() mimo_reset(worlds, [1i 2]), 'seeds: expected real numbers');
   refused_as(@() mimo_convert('points', [1i; 0; 0], 'unity'), 'values: expected real numbers');
+  refused_as(@() mimo_convert('point', [1; 0; 0], 'unity'), 'what is "point", which mimo_convert does not convert');
   refused_as(@() mimo_project(worlds, [1i; 0; 0], 8, 8), 'points: expected real numbers');
   refused_as(@() mimo_physics(worlds, 1i), 'steps: expected a real number');
   refused_as(@() mimo_create('free', 'objects', struct('name', 'b', 'position', [0 0 1i])), 'position: expected real numbers');

@@ -1,6 +1,6 @@
 /**
  * @file mimo/hpp/geometry.hpp
- * For programs that draw the world themselves: triangles, textures, frames of engines. Part of mimo.hpp, which programs
+ * For programs that draw the world themselves: triangles, textures. Part of mimo.hpp, which programs
  * include. MIT licence, see LICENSE.
  */
 #ifndef MIMO_HPP_GEOMETRY
@@ -29,15 +29,6 @@ struct Texture {
   std::uint32_t width, height;
   std::vector<std::uint8_t> pixels;  ///< Red, green, blue, 255 of each pixel, row after row.
 };
-
-/// Places of ours, three numbers each, in another frame (MIMO_AXES_).
-inline void convert_points(std::int32_t axes, std::vector<float> &points) {
-  check(mimo_convert_points(axes, points.data(), points.size() / 3));
-}
-/// Directions likewise; their lengths stay.
-inline void convert_directions(std::int32_t axes, std::vector<float> &directions) {
-  check(mimo_convert_directions(axes, directions.data(), directions.size() / 3));
-}
 
 namespace detail {
 inline Mesh mesh_of(const mimo_env *env, std::int32_t geom, std::int32_t axes, std::uint32_t segments, double plane) {

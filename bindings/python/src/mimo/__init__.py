@@ -12,11 +12,12 @@ from __future__ import annotations
 import importlib.util
 from typing import Any, Union
 
-from . import constants
+from . import constants, conversions
 from ._library import abi_version, api_version, library_path, mujoco_version, supports, version
 from .access import Access
 from .batch import Batch
 from .constants import *  # noqa: F403
+from .conversions import *  # noqa: F403
 from .env import Env, register
 from .errors import (
     ArgumentError,
@@ -36,7 +37,6 @@ from .errors import (
     TaskError,
     UnsupportedError,
 )
-from .geometry import convert_directions, convert_points
 from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_task import Moment, WorldTask
@@ -74,6 +74,7 @@ register()
 
 __all__ = [
     *constants.__all__,
+    *conversions.__all__,
     "Access",
     "Action",
     "ArgumentError",
@@ -117,8 +118,6 @@ __all__ = [
     "WorldTask",
     "abi_version",
     "api_version",
-    "convert_directions",
-    "convert_points",
     "faces",
     "materials",
     "library_path",

@@ -143,22 +143,13 @@ class Geometry(Access):
         return Poses(all_of[:, :3], all_of[:, 3:])
 
 
-def convert_points(points: ArrayLike, axes: AxesOf) -> Floats:
-    """Converts points (n x 3, m) from the library's axes."""
-    return _converted(LIB.mimo_convert_points, "points", points, axes)
-
-
-def convert_directions(directions: ArrayLike, axes: AxesOf) -> Floats:
-    """Converts directions (n x 3: forces, normals) from the library's axes; lengths stay."""
-    return _converted(LIB.mimo_convert_directions, "directions", directions, axes)
-
-
-def _converted(function: Any, name: str, values: ArrayLike, axes: AxesOf) -> Floats:
-    converted = np.array(values, np.float32, order="C")
-    if converted.ndim == 0 or converted.shape[-1] != 3:
-        raise ValueError(f"{name} has the shape {converted.shape}, expected rows of three numbers")
-    check(function(whole_number("axes", axes, Axes), converted.ctypes.data, converted.size // 3))
-    return converted
+def converted(function: Any, name: str, width: int, values: ArrayLike, axes: AxesOf) -> Floats:
+    """A copy of rows of numbers, converted by a function of the library."""
+    rows = np.array(values, np.float32, order="C")
+    if rows.ndim == 0 or rows.shape[-1] != width:
+        raise ValueError(f"{name} has the shape {rows.shape}, expected rows of {width} numbers")
+    check(function(whole_number("axes", axes, Axes), rows.ctypes.data, rows.size // width))
+    return rows
 
 
 def _int32(name: str, value: Any) -> int:

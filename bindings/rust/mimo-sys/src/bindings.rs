@@ -2649,6 +2649,8 @@ extern "C" {
     pub fn mimo_convert_points(axes: i32, points: *mut f32, point_count: usize) -> mimo_status;
 
     /// Converts directions in place: normals, forces, velocities; their lengths do not change.
+    ///
+    /// * `directions`: three numbers each, in libmimo's frame.
     pub fn mimo_convert_directions(axes: i32, directions: *mut f32, direction_count: usize) -> mimo_status;
 
     /// Current poses of all elements of a kind, one after the other: position, and a quaternion in the order of the

@@ -59,18 +59,6 @@ pub struct Pose {
     pub rotation: [f32; 4],
 }
 
-/// Converts points of this library, for example of touch sensors, to another frame.
-pub fn convert_points(axes: Axes, points: &mut [[f32; 3]]) -> Result<()> {
-    check(unsafe { sys::mimo_convert_points(axes.raw(), points.as_mut_ptr().cast(), points.len()) })
-}
-
-/// The same for directions, which keep their lengths.
-pub fn convert_directions(axes: Axes, directions: &mut [[f32; 3]]) -> Result<()> {
-    check(unsafe {
-        sys::mimo_convert_directions(axes.raw(), directions.as_mut_ptr().cast(), directions.len())
-    })
-}
-
 impl World {
     /// A geom as triangles.
     pub fn mesh(&self, geom: i32, axes: Axes, detail: Detail) -> Result<Mesh> {
