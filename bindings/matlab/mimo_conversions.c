@@ -5,5 +5,6 @@
 const conversion mimo_conversions[] = {
     {"points", mimo_convert_points, 3},
     {"directions", mimo_convert_directions, 3},
+    {"poses", mimo_convert_poses, 7},
     {NULL, NULL, 0},
 };

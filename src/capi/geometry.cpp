@@ -49,11 +49,13 @@ access::Quantity pose_of(std::int32_t kind) {
        access::word(kind_from(kind)));
 }
 
-void convert_pose(const geometry::Conversion& to, float* pose) {
-  const Eigen::Map<Eigen::Vector4f> rotation(pose + 3);
-  const Eigen::Vector4d q = rotation.cast<double>();
-  three(pose) = to.point(three(pose).cast<double>()).cast<float>();
-  Eigen::Map<Eigen::Vector4f>(pose + 3) = to.rotation({q[0], q[1], q[2], q[3]}).cast<float>();
+void convert_poses(const geometry::Conversion& to, Span<float> poses) {
+  for (float* pose = poses.data(); pose != poses.data() + poses.size(); pose += 7) {
+    const Eigen::Map<Eigen::Vector4f> rotation(pose + 3);
+    const Eigen::Vector4d q = rotation.cast<double>();
+    three(pose) = to.point(three(pose).cast<double>()).cast<float>();
+    Eigen::Map<Eigen::Vector4f>(pose + 3) = to.rotation({q[0], q[1], q[2], q[3]}).cast<float>();
+  }
 }
 
 geometry::Detail detail_of(const mimo_mesh& wanted) {
@@ -155,6 +157,13 @@ mimo_status mimo_convert_directions(int32_t axes, float* directions, size_t dire
   });
 }
 
+mimo_status mimo_convert_poses(int32_t axes, float* poses, size_t pose_count) noexcept {
+  return guard([&] {
+    check_length<float[7]>(pose_count, "poses");
+    convert_poses(conversion(axes, "axes"), array(poses, 7 * pose_count, "poses"));
+  });
+}
+
 mimo_status mimo_env_poses(const mimo_env* env, int32_t kind, int32_t axes, float* poses, size_t value_count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
@@ -164,7 +173,7 @@ mimo_status mimo_env_poses(const mimo_env* env, int32_t kind, int32_t axes, floa
     const Span<float> where = array(poses, value_count, "poses");
     check_exact(value_count, access::width(world, quantity, all), "value_count");
     access::get(world, quantity, all, true, where);
-    for (std::size_t i = 0; i < where.size(); i += 7) convert_pose(to, where.data() + i);
+    convert_poses(to, where);
   });
 }
 

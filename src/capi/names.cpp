@@ -366,6 +366,7 @@ const std::string_view kNames[] = {
     "mimo_camera_config_init",
     "mimo_convert_directions",
     "mimo_convert_points",
+    "mimo_convert_poses",
     "mimo_env_agent",
     "mimo_env_appearance",
     "mimo_env_body_of",

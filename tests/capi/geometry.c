@@ -319,6 +319,36 @@ static void check_details(mimo_env* env) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "geom is 3, expected an id from 0 to 2", mimo_env_mesh(env, 3, &mesh));
 }
 
+/* The poses of two bodies that access reads are, converted, those among all bodies: in each frame, which keeps or turns
+ * round hands. A quarter turn to the left about our z is one about Unity's y, whose axis looks the same way but whose
+ * frame is mirrored: x y z w is 0, -sin 45, 0, cos 45. */
+static void check_single_poses(void) {
+  float turned[7] = {1, 2, 3, 0.70710678F, 0, 0, 0.70710678F}, two[14], *all;
+  mimo_env* env = blind_env("benchmark", NULL);
+  int32_t bodies[2], axes;
+  size_t count = 0, i;
+  CHECK_OK(mimo_convert_poses(MIMO_AXES_UNITY, turned, 1));
+  CHECK(turned[0] == -2.0F && turned[1] == 3.0F && turned[2] == 1.0F && turned[3] == 0.0F && turned[5] == 0.0F);
+  CHECK_NEAR(-0.70710678, turned[4], 1e-7);
+  CHECK_NEAR(0.70710678, turned[6], 1e-7);
+  bodies[0] = find(env, MIMO_BODY, "right_hand");
+  bodies[1] = find(env, MIMO_BODY, "head");
+  CHECK_OK(mimo_env_reset(env, SEED(3), NULL, 0));
+  CHECK_OK(mimo_env_physics_step(env, 50));
+  CHECK_OK(mimo_env_count(env, MIMO_BODY, &count));
+  all = malloc(7 * count * sizeof *all);
+  for (axes = MIMO_AXES_MIMO; axes <= MIMO_AXES_GLTF; ++axes) {
+    CHECK_OK(mimo_env_poses(env, MIMO_BODY, axes, all, 7 * count));
+    CHECK_OK(mimo_env_get_float(env, MIMO_BODY_POSE | MIMO_NOW, bodies, 2, two, 14));
+    CHECK_OK(mimo_convert_poses(axes, two, 2));
+    for (i = 0; i < 2; ++i) CHECK(memcmp(two + 7 * i, all + 7 * bodies[i], 7 * sizeof *all) == 0);
+  }
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "axes is 5", mimo_convert_poses(5, two, 2));
+  CHECK_OK(mimo_convert_poses(MIMO_AXES_UNITY, NULL, 0));
+  free(all);
+  mimo_env_destroy(env);
+}
+
 static void check_conversions(void) {
   float points[6] = {1, 2, 3, 0, 0, 1}, direction[3] = {1, 2, 3};
   CHECK_OK(mimo_convert_points(MIMO_AXES_UNREAL, points, 2));
@@ -340,6 +370,7 @@ int main(void) {
   check_lights(room);
   check_details(room);
   check_looks(room);
+  check_single_poses();
   check_conversions();
   mimo_env_destroy(room);
   return failures();

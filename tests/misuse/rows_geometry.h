@@ -18,6 +18,9 @@ ROW(mimo_convert_points, ANYTIME, mimo_convert_points(a->axes, a->poses, 2), AXE
 ROW(mimo_convert_directions, ANYTIME, mimo_convert_directions(a->axes, a->poses, a->point_count), AXES,
     NO_NULL(poses, "directions"), BAD_SIZE(point_count, -1, "directions"),
     BAD_SIZE(point_count, SIZE_MAX / 3 + 1, "directions"), SIZE_IS(point_count, 0, MIMO_OK, NULL))
+ROW(mimo_convert_poses, ANYTIME, mimo_convert_poses(a->axes, a->poses, a->point_count), AXES, NO_NULL(poses, "poses"),
+    BAD_SIZE(point_count, -1, "poses"), BAD_SIZE(point_count, SIZE_MAX / 7 + 1, "poses"),
+    SIZE_IS(point_count, 0, MIMO_OK, NULL))
 ROW(mimo_env_poses, ON_ENV | SIMULATES, mimo_env_poses(a->env, a->kind, a->axes, a->poses, a->pose_count), AXES,
     UNKNOWN(kind, 0, "kind"), UNKNOWNS(kind, MIMO_WARNING + 1, "kind"), BAD_I32(kind, MIMO_JOINT, "kind"),
     NO_NULL(poses, "poses"),

@@ -19,5 +19,16 @@ namespace Mimo
             var rows = Given.Rows(directions, 3, "directions");
             MimoException.Check(Native.mimo_convert_directions((int)axes, directions, rows));
         }
+
+        /// <summary>Converts poses in place, for example of single bodies: Env.GetFloat and Batch.GetFloat read them
+        /// (Quantity.BodyPose, with Quantity.Now the current ones). Like Env.Poses for all elements of a
+        /// kind.</summary>
+        /// <remarks>poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted
+        /// quaternion has the order of the frame.</remarks>
+        public static void ConvertPoses(Axes axes, float[] poses)
+        {
+            var rows = Given.Rows(poses, 7, "poses");
+            MimoException.Check(Native.mimo_convert_poses((int)axes, poses, rows));
+        }
     }
 }

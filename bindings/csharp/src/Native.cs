@@ -464,6 +464,12 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_convert_directions"); }
         }
 
+        internal static int mimo_convert_poses(int axes, float[] poses, UIntPtr pose_count)
+        {
+            try { return Entry.mimo_convert_poses(axes, poses, pose_count); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_convert_poses"); }
+        }
+
         internal static int mimo_env_poses(EnvHandle env, int kind, int axes, float[] poses, UIntPtr value_count)
         {
             try { return Entry.mimo_env_poses(env, kind, axes, poses, value_count); }
@@ -1044,6 +1050,7 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_env_update(EnvHandle env);
             [DllImport(File)] internal static extern int mimo_convert_points(int axes, float[] points, UIntPtr point_count);
             [DllImport(File)] internal static extern int mimo_convert_directions(int axes, float[] directions, UIntPtr direction_count);
+            [DllImport(File)] internal static extern int mimo_convert_poses(int axes, float[] poses, UIntPtr pose_count);
             [DllImport(File)] internal static extern int mimo_env_poses(EnvHandle env, int kind, int axes, float[] poses, UIntPtr value_count);
             [DllImport(File)] internal static extern int mimo_mesh_init(out MeshStruct mesh, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_env_mesh(EnvHandle env, int geom, ref MeshStruct mesh);

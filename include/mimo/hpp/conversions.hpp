@@ -41,6 +41,15 @@ inline void convert_directions(std::int32_t axes, std::vector<float> &directions
   detail::convert(mimo_convert_directions, "directions", 3, axes, directions);
 }
 
+/// Converts poses in place, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
+/// (MIMO_BODY_POSE, with MIMO_NOW the current ones). Like mimo_env_poses for all elements of a kind.
+///
+/// poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
+/// order of the frame.
+inline void convert_poses(std::int32_t axes, std::vector<float> &poses) {
+  detail::convert(mimo_convert_poses, "poses", 7, axes, poses);
+}
+
 }  // namespace v1_0
 }  // namespace mimo
 

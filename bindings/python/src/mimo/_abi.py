@@ -803,6 +803,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_update": (c_int32, [c_void_p]),
     "mimo_convert_points": (c_int32, [c_int32, c_void_p, c_size_t]),
     "mimo_convert_directions": (c_int32, [c_int32, c_void_p, c_size_t]),
+    "mimo_convert_poses": (c_int32, [c_int32, c_void_p, c_size_t]),
     "mimo_env_poses": (c_int32, [c_void_p, c_int32, c_int32, c_void_p, c_size_t]),
     "mimo_mesh_init": (c_int32, [POINTER(Mesh), c_size_t]),
     "mimo_env_mesh": (c_int32, [c_void_p, c_int32, POINTER(Mesh)]),

@@ -11,6 +11,7 @@ from .geometry import AxesOf, Floats, converted
 __all__ = [
     "convert_directions",
     "convert_points",
+    "convert_poses",
 ]
 
 
@@ -28,3 +29,13 @@ def convert_directions(directions: ArrayLike, axes: AxesOf) -> Floats:
     directions: three numbers each, in libmimo's frame.
     """
     return converted(LIB.mimo_convert_directions, "directions", 3, directions, axes)
+
+
+def convert_poses(poses: ArrayLike, axes: AxesOf) -> Floats:
+    """Converts poses, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
+    (Quantity.BODY_POSE, with NOW the current ones). Like World.poses for all elements of a kind.
+
+    poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
+    order of the frame.
+    """
+    return converted(LIB.mimo_convert_poses, "poses", 7, poses, axes)

@@ -2653,6 +2653,13 @@ extern "C" {
     /// * `directions`: three numbers each, in libmimo's frame.
     pub fn mimo_convert_directions(axes: i32, directions: *mut f32, direction_count: usize) -> mimo_status;
 
+    /// Converts poses in place, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
+    /// (MIMO_BODY_POSE, with MIMO_NOW the current ones). Like mimo_env_poses for all elements of a kind.
+    ///
+    /// * `poses`: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has
+    /// the order of the frame.
+    pub fn mimo_convert_poses(axes: i32, poses: *mut f32, pose_count: usize) -> mimo_status;
+
     /// Current poses of all elements of a kind, one after the other: position, and a quaternion in the order of the
     /// frame.
     ///

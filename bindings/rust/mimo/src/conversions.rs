@@ -20,3 +20,15 @@ pub fn convert_directions(axes: Axes, directions: &mut [[f32; 3]]) -> Result<()>
     let (to, count) = (directions.as_mut_ptr().cast(), directions.len());
     check(unsafe { sys::mimo_convert_directions(axes.raw(), to, count) })
 }
+
+/// Converts poses in place, for example of single bodies: [`mimo_env_get_float`](crate::sys::mimo_env_get_float) and
+/// [`mimo_batch_get_float`](crate::sys::mimo_batch_get_float) read them
+/// ([`Quantity::BODY_POSE`](crate::Quantity::BODY_POSE), with `MIMO_NOW` the current ones). Like
+/// [`mimo_env_poses`](crate::sys::mimo_env_poses) for all elements of a kind.
+///
+/// poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
+/// order of the frame.
+pub fn convert_poses(axes: Axes, poses: &mut [Pose]) -> Result<()> {
+    let (to, count) = (poses.as_mut_ptr().cast(), poses.len());
+    check(unsafe { sys::mimo_convert_poses(axes.raw(), to, count) })
+}
