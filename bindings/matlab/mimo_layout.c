@@ -115,12 +115,10 @@ static void layout(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   (void)nout;
   mimo_need(nin == 1, "expected a world");
   all = mimo_any_worlds_of(in[0]);
-  out[0] = mxCreateStructMatrix(1, 1, 0, NULL);
+  out[0] = mimo_struct(&all->sizes, mimo_layout_members);
   mimo_add(out[0], "fields", fields_of(all));
   mimo_add(out[0], "actions", actions_of(all));
   mimo_add(out[0], "terms", terms_of(all));
-  mimo_add_number(out[0], "agents", (double)all->sizes.agents);
-  mimo_add_number(out[0], "block_bytes", (double)all->sizes.block_bytes);
 }
 
 /* The field of the arguments (number, field). */

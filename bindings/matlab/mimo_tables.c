@@ -666,6 +666,12 @@ const member mimo_field_members[] = {
     {NULL, kText, 0, 0, NULL},
 };
 
+const member mimo_layout_members[] = {
+    {"block_bytes", kSize, 1, offsetof(mimo_layout_info, block_bytes), NULL},
+    {"agents", kSize, 1, offsetof(mimo_layout_info, agents), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
 const member mimo_light_members[] = {
     {"active", kSwitch, 1, offsetof(mimo_light, active), NULL},
     {"directional", kSwitch, 1, offsetof(mimo_light, directional), NULL},

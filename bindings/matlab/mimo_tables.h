@@ -54,6 +54,7 @@ extern const member mimo_action_members[];
 extern const member mimo_agent_members[];
 extern const member mimo_appearance_members[];
 extern const member mimo_field_members[];
+extern const member mimo_layout_members[];
 extern const member mimo_light_members[];
 extern const member mimo_parameter_members[];
 extern const member mimo_recording_members[];

@@ -27,7 +27,7 @@ CONFIGS = [
 
 RECORDS = [
     *("mimo_agent_info", "mimo_action", "mimo_term", "mimo_timing", "mimo_parameter", "mimo_appearance", "mimo_light"),
-    *("mimo_gaze", "mimo_recording_info", "mimo_replay_report"),
+    *("mimo_gaze", "mimo_layout_info", "mimo_recording_info", "mimo_replay_report"),
 ]
 
 # Members that an argument of a method, or a member written by hand, stands for.

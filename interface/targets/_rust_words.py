@@ -42,6 +42,7 @@ CONFIGS = (
 RECORDS = (
     "mimo_action",
     "mimo_appearance",
+    "mimo_layout_info",
     "mimo_light",
     "mimo_limits",
     "mimo_maturity",

@@ -64,6 +64,7 @@ RECORDS = (
     "mimo_agent_info",
     "mimo_appearance",
     "mimo_field",
+    "mimo_layout_info",
     "mimo_light",
     "mimo_parameter",
     "mimo_recording_info",
@@ -79,6 +80,9 @@ NO_MEMBERS = (
     "mimo_field.ndim",
     "mimo_field.shape",
     "mimo_field.start",
+    "mimo_layout_info.actions",
+    "mimo_layout_info.fields",
+    "mimo_layout_info.terms",
     "mimo_light.axes",
 )
 

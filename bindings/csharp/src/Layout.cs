@@ -11,11 +11,14 @@ namespace Mimo
     {
         private readonly LayoutHandle handle;
 
+        /// <summary>The sizes of one world.</summary>
+        public LayoutInfo Info { get; }
+
         /// <summary>Size of an observation block.</summary>
-        public int BlockBytes { get; }
+        public int BlockBytes { get { return Info.BlockBytes; } }
 
         /// <summary>Number of agents.</summary>
-        public int Agents { get; }
+        public int Agents { get { return Info.Agents; } }
 
         /// <summary>The fields of the block.</summary>
         public IReadOnlyList<Field> Fields { get; }
@@ -35,8 +38,7 @@ namespace Mimo
             handle = new LayoutHandle(lent, owner);
             var info = LayoutInfoStruct.New();
             MimoException.Check(Native.mimo_layout_describe(handle, ref info));
-            BlockBytes = (int)info.block_bytes;
-            Agents = (int)info.agents;
+            Info = new LayoutInfo(info);
             Fields = All(info.fields, index => new Field(handle, index));
             Actions = All(info.actions, index => ActionAt(index));
             Terms = All(info.terms, index => TermAt(index));

@@ -275,6 +275,34 @@ namespace Mimo
         }
     }
 
+    /// <summary>The sizes of one world.</summary>
+    public struct LayoutInfo
+    {
+        /// <summary>Size of an observation block, a multiple of 64. Need not be aligned.</summary>
+        public int BlockBytes { get; }
+
+        /// <summary>Number of fields.</summary>
+        public int Fields { get; }
+
+        /// <summary>Number of actions of all agents together.</summary>
+        public int Actions { get; }
+
+        /// <summary>Number of agents, so of rewards, flags and outcomes.</summary>
+        public int Agents { get; }
+
+        /// <summary>Number of reward terms of all agents together.</summary>
+        public int Terms { get; }
+
+        internal LayoutInfo(LayoutInfoStruct raw)
+        {
+            BlockBytes = (int)raw.block_bytes;
+            Fields = (int)raw.fields;
+            Actions = (int)raw.actions;
+            Agents = (int)raw.agents;
+            Terms = (int)raw.terms;
+        }
+    }
+
     /// <summary>What a recording holds. Its strings belong to the recording.</summary>
     public struct RecordingInfo
     {

@@ -3,7 +3,7 @@ use crate::block::Block;
 use crate::constants::Receptor;
 use crate::error::{c_string, check, text, Result};
 use crate::field::Field;
-use crate::records::{Action, Term};
+use crate::records::{Action, LayoutInfo, Term};
 use crate::rows::row;
 use crate::structs::described;
 use crate::sys;
@@ -15,7 +15,7 @@ use std::ptr::null;
 pub struct Layout<'a> {
     // Belongs to its owner.
     handle: &'a sys::mimo_layout,
-    info: sys::mimo_layout_info,
+    info: LayoutInfo,
 }
 
 /// A receptor of the skin.
@@ -41,7 +41,12 @@ impl<'a> Layout<'a> {
         let mut handle = null();
         check(ask(&mut handle))?;
         let info = described(|info| sys::mimo_layout_describe(handle, info))?;
-        Ok(Layout { handle: &*handle, info })
+        Ok(Layout { handle: &*handle, info: LayoutInfo::of(&info) })
+    }
+
+    /// The sizes of one world.
+    pub fn info(&self) -> LayoutInfo {
+        self.info
     }
 
     /// Size of an observation block in bytes, a multiple of 64.

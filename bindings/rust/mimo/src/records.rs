@@ -38,6 +38,28 @@ impl Limits {
     }
 }
 
+/// The sizes of one world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct LayoutInfo {
+    /// Size of an observation block, a multiple of 64. Need not be aligned.
+    pub block_bytes: usize,
+    /// Number of fields.
+    pub fields: usize,
+    /// Number of actions of all agents together.
+    pub actions: usize,
+    /// Number of agents, so of rewards, flags and outcomes.
+    pub agents: usize,
+    /// Number of reward terms of all agents together.
+    pub terms: usize,
+}
+
+impl LayoutInfo {
+    pub(crate) fn of(raw: &sys::mimo_layout_info) -> LayoutInfo {
+        LayoutInfo { block_bytes: raw.block_bytes, fields: raw.fields, actions: raw.actions, agents: raw.agents, terms: raw.terms }
+    }
+}
+
 /// One action: by default a motor's control input as a share of its largest torque; agent.h has the alternatives.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
