@@ -51,7 +51,7 @@ static void check_env(mimo_env* env, mimo_status status, const char* part) {
 
 /* Calls every function that takes a layout. */
 static void check_layout(const mimo_layout* layout, mimo_status status, const char* part) {
-  mimo_layout_info info = {sizeof info, 0, GUARD, GUARD, GUARD, GUARD, GUARD};
+  mimo_layout_info info = {.struct_size = sizeof info, .block_bytes = GUARD};
   mimo_field field;
   mimo_action action;
   mimo_term term;

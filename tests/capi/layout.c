@@ -10,7 +10,7 @@ typedef struct asked {
 static mimo_status ask(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   asked* it = user;
   const mimo_layout* layout = NULL;
-  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info info = {.struct_size = sizeof info};
   (void)verdict;
   if (it->expected == NULL || moment->world != 0) return MIMO_OK;
   ++it->answers;
@@ -93,7 +93,7 @@ static void check_batch(void) {
   mimo_task task;
   mimo_batch* batch = NULL;
   mimo_env* view = NULL;
-  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info info = {.struct_size = sizeof info};
   const mimo_layout *layout = NULL, *again = NULL;
   uint8_t* blocks;
   CHECK_OK(mimo_task_init(&task, sizeof task));

@@ -75,7 +75,7 @@ static mimo_status attach_to(mimo_senses** made) {
 
 static void begin_host(void) {
   const mimo_layout* layout = NULL;
-  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info info = {.struct_size = sizeof info};
   mimo_agent_config agent;
   mimo_limits limits;
   char error[200] = "";

@@ -152,7 +152,7 @@ static void check_senses(void) {
   mimo_senses_config attached;
   mimo_scene* scene = NULL;
   const mimo_layout* layout = NULL;
-  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info info = {.struct_size = sizeof info};
   mimo_senses* senses = NULL;
   size_t bytes = 0;
   mjModel* model;

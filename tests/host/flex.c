@@ -162,7 +162,7 @@ static void check_infant(void) {
     mimo_env_config config;
     mimo_scene* scene = NULL;
     mimo_env* env = NULL;
-    mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+    mimo_layout_info info = {.struct_size = sizeof info};
     size_t contacts = 0, flexes = 0;
     double* geoms;
     void* sensed;

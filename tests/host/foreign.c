@@ -76,7 +76,7 @@ static const float* values(const mimo_senses* senses, const char* name) {
 }
 
 static void observe(mimo_senses* senses, host h) {
-  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info info = {.struct_size = sizeof info};
   CHECK_OK(mimo_layout_describe(of_senses(senses), &info));
   CHECK(info.block_bytes <= sizeof block && info.actions == 0 && info.terms == 0);
   CHECK_OK(mimo_senses_observe(senses, h.data, block, sizeof block));

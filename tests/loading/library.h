@@ -73,7 +73,7 @@ static inline uint64_t hash_of_life(const library* mimo, mimo_env* env, int step
   const mimo_reset_config seeded = {.struct_size = sizeof seeded, .seeded = 1, .seed = 7};
   uint64_t hash = UINT64_C(14695981039346656037);
   const mimo_layout* layout = NULL;
-  mimo_layout_info info = {sizeof info, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info info = {.struct_size = sizeof info};
   size_t bytes, i;
   uint8_t* block;
   int step;
