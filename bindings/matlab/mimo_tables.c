@@ -669,6 +669,7 @@ const member mimo_field_members[] = {
 const member mimo_layout_members[] = {
     {"block_bytes", kSize, 1, offsetof(mimo_layout_info, block_bytes), NULL},
     {"agents", kSize, 1, offsetof(mimo_layout_info, agents), NULL},
+    {"step_seconds", kNumbers, 1, offsetof(mimo_layout_info, step_seconds), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 

@@ -80,6 +80,7 @@ mimo_status mimo_layout_describe(const mimo_layout* layout, mimo_layout_info* in
     ours.actions = description->actions.size();
     ours.agents = description->agents;
     ours.terms = description->terms.size();
+    ours.step_seconds = description->period;
     write_described(info, ours, "info");
   });
 }

@@ -506,6 +506,7 @@ const std::string_view kNames[] = {
     "mimo_layout_info.block_bytes",
     "mimo_layout_info.fields",
     "mimo_layout_info.reserved",
+    "mimo_layout_info.step_seconds",
     "mimo_layout_info.struct_size",
     "mimo_layout_info.terms",
     "mimo_layout_label",

@@ -139,7 +139,7 @@ MEMBER(mimo_limits, noise, 24, 8);
 MEMBER(mimo_limits, blur, 32, 8);
 MEMBER(mimo_limits, signal_noise, 40, 8);
 
-_Static_assert(sizeof(mimo_layout_info) == 48, "mimo_layout_info");
+_Static_assert(sizeof(mimo_layout_info) == 56, "mimo_layout_info");
 MEMBER(mimo_layout_info, struct_size, 0, 4);
 MEMBER(mimo_layout_info, reserved, 4, 4);
 MEMBER(mimo_layout_info, block_bytes, 8, 8);
@@ -147,6 +147,7 @@ MEMBER(mimo_layout_info, fields, 16, 8);
 MEMBER(mimo_layout_info, actions, 24, 8);
 MEMBER(mimo_layout_info, agents, 32, 8);
 MEMBER(mimo_layout_info, terms, 40, 8);
+MEMBER(mimo_layout_info, step_seconds, 48, 8);
 
 _Static_assert(sizeof(mimo_field) == 120, "mimo_field");
 MEMBER(mimo_field, struct_size, 0, 4);

@@ -138,7 +138,36 @@ static void check_clone(void) {
   mimo_env_destroy(twin);
 }
 
+/* A step of three physics steps of 5 ms: of a world, a batch and its worlds. */
+static void check_step_seconds(void) {
+  mimo_scene* scene = blind_scene("free");
+  mimo_env_config config;
+  mimo_batch_config many;
+  mimo_layout_info info = {.struct_size = sizeof info};
+  const mimo_layout* layout = NULL;
+  mimo_env* env = NULL;
+  mimo_batch* batch = NULL;
+  double seconds = 0;
+  CHECK_OK(mimo_env_config_init(&config, sizeof config));
+  config.frame_skip = 3;
+  CHECK_OK(mimo_env_create(scene, &config, &env));
+  CHECK_NEAR(0.015, sizes_of(env).step_seconds, 1e-15);
+  CHECK_OK(mimo_env_reset(env, NULL, NULL, 0));
+  CHECK_OK(mimo_env_step(env, NULL, 0, NULL, 0, NULL));
+  CHECK_OK(mimo_env_time(env, &seconds));
+  CHECK_NEAR(0.015, seconds, 1e-15);
+  mimo_env_destroy(env);
+  CHECK_OK(mimo_batch_config_init(&many, sizeof many));
+  CHECK_OK(mimo_batch_create(scene, &config, &many, &batch));
+  CHECK_OK(mimo_batch_layout(batch, &layout));
+  CHECK_OK(mimo_layout_describe(layout, &info));
+  CHECK_NEAR(0.015, info.step_seconds, 1e-15);
+  mimo_batch_destroy(batch);
+  mimo_scene_destroy(scene);
+}
+
 int main(void) {
+  check_step_seconds();
   check_times();
   check_actions();
   check_batch();

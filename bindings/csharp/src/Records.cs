@@ -275,7 +275,7 @@ namespace Mimo
         }
     }
 
-    /// <summary>The sizes of one world.</summary>
+    /// <summary>The sizes of one world, and the length of its steps.</summary>
     public struct LayoutInfo
     {
         /// <summary>Size of an observation block, a multiple of 64. Need not be aligned.</summary>
@@ -293,6 +293,10 @@ namespace Mimo
         /// <summary>Number of reward terms of all agents together.</summary>
         public int Terms { get; }
 
+        /// <summary>Simulated seconds from one step to the next: of a world frame_skip physics steps, of attached
+        /// senses `step` of SensesConfig.</summary>
+        public double StepSeconds { get; }
+
         internal LayoutInfo(LayoutInfoStruct raw)
         {
             BlockBytes = (int)raw.block_bytes;
@@ -300,6 +304,7 @@ namespace Mimo
             Actions = (int)raw.actions;
             Agents = (int)raw.agents;
             Terms = (int)raw.terms;
+            StepSeconds = raw.step_seconds;
         }
     }
 

@@ -251,8 +251,9 @@ namespace Mimo
         internal UIntPtr actions;
         internal UIntPtr agents;
         internal UIntPtr terms;
+        internal double step_seconds;
 
-        internal const uint Bytes = 48;
+        internal const uint Bytes = 56;
 
         internal static LayoutInfoStruct New()
         {

@@ -36,8 +36,9 @@ internal static partial class Tests
             "face 168 8, root 176 8, vestibular_at 184 8, growth 192 8, hearing 200 4, voice 204 4" },
         { typeof(LimitsStruct), "48: " +
             "struct_size 0 4, reserved 4 4, delay 8 8, gain 16 8, noise 24 8, blur 32 8, signal_noise 40 8" },
-        { typeof(LayoutInfoStruct), "48: " +
-            "struct_size 0 4, reserved 4 4, block_bytes 8 8, fields 16 8, actions 24 8, agents 32 8, terms 40 8" },
+        { typeof(LayoutInfoStruct), "56: " +
+            "struct_size 0 4, reserved 4 4, block_bytes 8 8, fields 16 8, actions 24 8, agents 32 8, terms 40 8, " +
+            "step_seconds 48 8" },
         { typeof(FieldStruct), "120: " +
             "struct_size 0 4, dtype 4 4, name 8 8, unit 16 8, frame 24 8, offset 32 8, bytes 40 8, shape 48 8, ndim " +
             "56 8, low 64 8, high 72 8, start 80 8, end 88 8, period 96 8, receptors 104 8, sample_rate 112 8" },

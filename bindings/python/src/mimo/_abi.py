@@ -217,6 +217,7 @@ class LayoutInfo(Struct):
         ("actions", c_size_t),
         ("agents", c_size_t),
         ("terms", c_size_t),
+        ("step_seconds", c_double),
     ]
 
 

@@ -113,6 +113,7 @@ class Layout(Strict):
 
     bytes: int  # of a block
     agents: int
+    step_seconds: float  # simulated time from one step to the next
     fields: Dict[str, Field]
     actions: Tuple[Action, ...]
     terms: Tuple[Term, ...]
@@ -125,6 +126,7 @@ class Layout(Strict):
         self._have(
             bytes=info.block_bytes,
             agents=info.agents,
+            step_seconds=info.step_seconds,
             fields={field.name: field for field in map(self._field, range(info.fields))},
             actions=tuple(map(self._action, range(info.actions))),
             terms=tuple(map(self._term, range(info.terms))),

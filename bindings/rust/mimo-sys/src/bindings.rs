@@ -1300,7 +1300,7 @@ pub struct mimo_limits {
     pub signal_noise: f64,
 }
 
-/// The sizes of one world.
+/// The sizes of one world, and the length of its steps.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_layout_info {
@@ -1318,6 +1318,9 @@ pub struct mimo_layout_info {
     pub agents: usize,
     /// Number of reward terms of all agents together.
     pub terms: usize,
+    /// Simulated seconds from one step to the next: of a world frame_skip physics steps, of attached senses `step` of
+    /// mimo_senses_config.
+    pub step_seconds: f64,
 }
 
 /// One field of the observation block.

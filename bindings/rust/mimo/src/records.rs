@@ -38,7 +38,7 @@ impl Limits {
     }
 }
 
-/// The sizes of one world.
+/// The sizes of one world, and the length of its steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct LayoutInfo {
@@ -52,11 +52,14 @@ pub struct LayoutInfo {
     pub agents: usize,
     /// Number of reward terms of all agents together.
     pub terms: usize,
+    /// Simulated seconds from one step to the next: of a world frame_skip physics steps, of attached senses `step` of
+    /// [`SensesConfig`](crate::SensesConfig).
+    pub step_seconds: f64,
 }
 
 impl LayoutInfo {
     pub(crate) fn of(raw: &sys::mimo_layout_info) -> LayoutInfo {
-        LayoutInfo { block_bytes: raw.block_bytes, fields: raw.fields, actions: raw.actions, agents: raw.agents, terms: raw.terms }
+        LayoutInfo { block_bytes: raw.block_bytes, fields: raw.fields, actions: raw.actions, agents: raw.agents, terms: raw.terms, step_seconds: raw.step_seconds }
     }
 }
 
