@@ -31,7 +31,7 @@ function mimo_options()
 %     touch_response        A word of TouchResponse: how a touch spreads over sensors. Default 'linear'.
 %     touch_frame           A word of TouchFrame: of touch/force with three components. Default 'body'.
 %     reflexes              Words of Reflex; adds the field reflex/activation; {} (default): none. Experimental.
-%     touch_scale           Divides the distances between sensors: 2 gives 4 times as many. Default 1.
+%     touch_scale           Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many. Default 1.
 %     touch_slip_threshold  Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005.
 %     face                  Its first face, see mimo_names('face'); unless set: neutral.
 %     root                  With body "scene": the body of the model that, with its children, is the agent; "world": the

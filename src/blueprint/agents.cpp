@@ -92,6 +92,12 @@ void Agents::limit_sense(std::size_t agent, const std::string& path, const obser
   at(agent).limits.push_back({path, limits});
 }
 
+void Agents::forgive_limits() {
+  for (env::AgentOptions& agent : agents_) {
+    for (observation::PathLimits& limits : agent.limits) limits.may_lead_nowhere = true;
+  }
+}
+
 void Agents::limit_motor(std::size_t agent, const std::string& path, const observation::Limits& limits) {
   require(limits.blur == 0, "blur is {}, but motors have no pictures", limits.blur);
   const unsigned group = scene::group_named(path);

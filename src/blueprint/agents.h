@@ -35,6 +35,8 @@ class Agents {
   // What its proprioception reads: by their names in the model, instead of all joints.
   void read_joint(std::size_t agent, const std::string& joint);
   void limit_sense(std::size_t agent, const std::string& path, const observation::Limits& limits);
+  // The limits that senses have by now are of no concern where there is no such field.
+  void forgive_limits();
   // The paths to motors: one by its name, a part of the body, "left_arm", or "" for all.
   void limit_motor(std::size_t agent, const std::string& path, const observation::Limits& limits);
   // Its eyes and nerves; nothing: as its growth says.

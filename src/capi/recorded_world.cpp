@@ -190,22 +190,7 @@ class RecordedScene {
   }
   void limit_sense(Arguments& given) {
     const mimo_limits ours = limits(given);
-    const auto agent = given.number<std::size_t>("agent");
-    const char* const path = given.text("path");
-    if (!is_off(agent, capi::text(path))) check(mimo_scene_limit_sense(scene_, agent, path, &ours));
-  }
-  // Whether the caller switched off the sense of a path, which leaves nothing to limit.
-  bool is_off(std::size_t agent, const std::string& path) const {
-    const std::vector<env::AgentOptions>& agents = blueprint().current().agents.all();
-    if (!senses_ || agent >= agents.size() || !agents[agent].root.empty()) return false;
-    const std::pair<const char*, std::uint32_t> senses[] = {{"proprioception", senses_->proprioception},
-                                                            {"vestibular", senses_->vestibular},
-                                                            {"vision", senses_->vision},
-                                                            {"touch", senses_->touch},
-                                                            {"hearing", senses_->hearing}};
-    const std::string sense = path.substr(0, path.find('/'));
-    return std::any_of(std::begin(senses), std::end(senses),
-                       [&](const auto& one) { return sense == one.first && one.second == 0; });
+    check(mimo_scene_limit_sense(scene_, given.number<std::size_t>("agent"), given.text("path"), &ours));
   }
   void limit_motor(Arguments& given) {
     const mimo_limits ours = limits(given);
@@ -381,6 +366,7 @@ std::unique_ptr<EnvObject> make(const std::shared_ptr<recording::Recording>& rec
   const recording::Growths ages = recording->growths();
   scene.blueprint().edit([&](blueprint::SceneEdit& edit) {
     if (!ages.empty()) edit.agents.be_as_old_as(ages);
+    edit.agents.forgive_limits();  // of fields that the caller of a replay leaves out
   });
   // Only for other ages the file stays open.
   const auto file = recording->bodies() > 1 ? recording : nullptr;

@@ -47,7 +47,7 @@ void LimitedSenses::add(const std::string& prefix, const std::vector<PathLimits>
       chosen[i] = meant_for(layout[i], path, entry.limits);
       found = true;
     }
-    if (!found) {
+    if (!found && !entry.may_lead_nowhere) {
       fail(Status::kNotFound, "limits: no field \"{}\" and none below; there are: {}", entry.path,
            names(layout, prefix));
     }

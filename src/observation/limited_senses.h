@@ -14,6 +14,7 @@ namespace mimo::observation {
 struct PathLimits {
   std::string path;  // "touch", "proprioception/velocity"
   Limits limits;
+  bool may_lead_nowhere = false;  // limits nothing where no field has that path
 };
 
 // What an agent is like by itself in a field; nothing in those that are not of its senses.
@@ -26,7 +27,7 @@ class LimitedSenses {
 
   // `prefix` is that of the agent's fields; the observer has all senses by now. Where several limits concern a field,
   // the last one counts, also instead of its delays by nature. Throws Status::kNotFound for a path that leads to no
-  // field.
+  // field and has to.
   void add(const std::string& prefix, const std::vector<PathLimits>& paths, const NatureOf& nature, const Clock& clock);
   // After all were added.
   void make_room();

@@ -240,6 +240,7 @@ static void a_file_alone_is_replayed(void) {
   limits.delay = 0.03;
   limits.noise = 0.01;
   CHECK_OK(mimo_scene_limit_sense(scene, 0, "vestibular", &limits));
+  CHECK_OK(mimo_scene_limit_sense(scene, 0, "proprioception/velocity", &limits));
   limits.noise = 0;
   CHECK_OK(mimo_scene_limit_motor(scene, 0, "", &limits));
   CHECK_OK(mimo_scene_set_sensory_delay(scene, 0, NULL, 0.01));
@@ -268,7 +269,7 @@ static void a_file_alone_is_replayed(void) {
   CHECK(report.identical == 1 && report.steps == 25);
   report = replay(recording, twin, 3); /* back to the first age */
   CHECK(report.identical == 1);
-  /* The limits of a sense that the caller switches off go with it. */
+  /* The limits of a sense or a field that the caller leaves out go with it. */
   mimo_agent_config senses;
   mimo_env* numb = NULL;
   CHECK_OK(mimo_agent_config_init(&senses, sizeof senses));
@@ -278,6 +279,7 @@ static void a_file_alone_is_replayed(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "touch_scale", mimo_recording_env(recording, NULL, &senses, &numb));
   senses.touch = MIMO_AS_RECORDED;
   senses.vestibular = 0;
+  senses.proprioception = MIMO_PROPRIOCEPTION_TORQUE;
   CHECK_OK(mimo_recording_env(recording, NULL, &senses, &numb));
   CHECK_OK(mimo_recording_seek(recording, numb, 0, 0, NULL));
   CHECK_OK(mimo_recording_step(recording, numb, NULL, 0, NULL));

@@ -258,7 +258,7 @@ namespace Mimo
         /// <summary>Reflex bits; adds the field reflex/activation; 0 (default): none.</summary>
         public Reflex Reflexes { get { return (Reflex)raw.reflexes; } set { raw.reflexes = (uint)value; } }
 
-        /// <summary>Divides the distances between sensors: 2 gives 4 times as many. Default 1.</summary>
+        /// <summary>Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many. Default 1.</summary>
         public double TouchScale { get { return raw.touch_scale; } set { raw.touch_scale = value; } }
 
         /// <summary>Slip below this is 0, since MuJoCo's friction creeps; m/s, &gt;= 0. Default 0.005.</summary>

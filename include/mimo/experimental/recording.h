@@ -110,7 +110,8 @@ MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
  * @param config NULL means as recorded. Else the renderer, its settings, the log, timing and contacts of steps are
  *               those of this config, whose other members are as mimo_env_config_init leaves them.
  * @param senses NULL means as recorded. Else what each infant senses: proprioception, vestibular, vision, touch and
- *               hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED.
+ *               hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED. Limits of
+ *               fields that are then left out go with them.
  * @param env    receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays
  *               open where infants had several ages.
  * Errors: MIMO_E_UNSUPPORTED for a recording of format version 1 or 2, which holds no world; as mimo_env_create;
@@ -119,7 +120,10 @@ MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
 MIMO_API mimo_status mimo_recording_env(const mimo_recording *recording, const mimo_env_config *config,
                                         const mimo_agent_config *senses, mimo_env **env) MIMO_NOEXCEPT;
 
-/** Closes a recording. NULL and destroyed handles are ignored. */
+/**
+ * Closes a recording. NULL and destroyed handles are ignored. Where infants had several ages, the file stays open as
+ * long as a world of mimo_recording_env.
+ */
 MIMO_API void mimo_recording_close(mimo_recording *recording) MIMO_NOEXCEPT;
 
 /** What a recording holds. Its strings belong to the recording. */

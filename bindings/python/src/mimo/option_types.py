@@ -218,7 +218,7 @@ class InfantOptions(TypedDict, total=False):
     """Reflex bits; adds the field reflex/activation; 0 (default): none. Experimental."""
 
     touch_scale: float
-    """Divides the distances between sensors: 2 gives 4 times as many. Default 1."""
+    """Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many. Default 1."""
 
     touch_slip_threshold: float
     """Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005."""

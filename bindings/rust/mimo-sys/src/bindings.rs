@@ -1252,7 +1252,7 @@ pub struct mimo_agent_config {
     ///
     /// Experimental.
     pub reflexes: u32,
-    /// Divides the distances between sensors: 2 gives 4 times as many. Default 1.
+    /// Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many. Default 1.
     pub touch_scale: f64,
     /// Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005.
     pub touch_slip_threshold: f64,
@@ -3272,13 +3272,15 @@ extern "C" {
     /// those of this config, whose other members are as mimo_env_config_init leaves them.
     ///
     /// * `senses`: NULL means as recorded. Else what each infant senses: proprioception, vestibular, vision, touch and
-    /// hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED.
+    /// hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED. Limits of fields that are
+    /// then left out go with them.
     ///
     /// * `env`: receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays
     /// open where infants had several ages.
     pub fn mimo_recording_env(recording: *const mimo_recording, config: *const mimo_env_config, senses: *const mimo_agent_config, env: *mut *mut mimo_env) -> mimo_status;
 
-    /// Closes a recording. NULL and destroyed handles are ignored.
+    /// Closes a recording. NULL and destroyed handles are ignored. Where infants had several ages, the file stays open
+    /// as long as a world of mimo_recording_env.
     ///
     /// Experimental.
     pub fn mimo_recording_close(recording: *mut mimo_recording);

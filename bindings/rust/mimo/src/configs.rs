@@ -636,7 +636,7 @@ impl AgentConfig {
         self
     }
 
-    /// Divides the distances between sensors: 2 gives 4 times as many. Default 1.
+    /// Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many. Default 1.
     pub fn touch_scale(&mut self, touch_scale: f64) -> &mut Self {
         self.raw.touch_scale = touch_scale;
         self
