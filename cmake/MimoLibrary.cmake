@@ -36,6 +36,8 @@ else()
     # ends: the library has to be there still, whoever unloads it.
     target_link_options(mimo PRIVATE -Wl,-z,nodelete)
   else()
+    # DT_RPATH rather than DT_RUNPATH: in the Python package it also counts for what MuJoCo itself needs.
+    target_link_options(mimo PRIVATE -Wl,--disable-new-dtags)
     set_target_properties(mimo PROPERTIES INSTALL_RPATH_USE_LINK_PATH ON)
   endif()
 endif()

@@ -25,15 +25,16 @@ function(mimo_on_this_platform variable)
   set(${variable} ${${variable}} PARENT_SCOPE)
 endfunction()
 
-# mimo_room(<name> ABOUT <text> [OUTSIDE] [APART] [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
+# mimo_room(<name> ABOUT <text> [OUTSIDE] [APART <files...>] [DEPENDS <rooms...>] [LIBRARIES <targets...>] [SOURCES <generated files...>]
 #           [LINUX_ELSE <file>])
 # Makes the target mimo_<name> from all .cpp files below src/<name>. A room without any is header-only. ABOUT says in a
 # line what the room does. Whoever sees a room's headers sees those of its LIBRARIES as well. The file of LINUX_ELSE is
 # all that the room has on other systems than Linux, and is left out there. A room with OUTSIDE is a part of programs,
 # not of libmimo.so: it is written against the public headers, like any user's program. The files of a room are compiled in
-# batches, except with APART, where several files give one name to different things.
+# batches, which read headers once; a file of APART has a name of its own that another file gives to something else, and is
+# compiled alone.
 function(mimo_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "OUTSIDE;APART" "ABOUT;LINUX_ELSE" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "OUTSIDE" "ABOUT;LINUX_ELSE" "APART;DEPENDS;LIBRARIES;SOURCES")
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
   set(include_dir ${MIMO_ROOMS}/${name})
   file(MAKE_DIRECTORY ${include_dir})
@@ -60,11 +61,10 @@ function(mimo_room name)
     else()
       target_compile_definitions(mimo_${name} PRIVATE MIMO_BUILDING)
     endif()
-    if(NOT room_APART)  # most of the compile time goes into headers, which a batch reads once
-      set_target_properties(mimo_${name} PROPERTIES UNITY_BUILD ${MIMO_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-      if(MIMO_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-        target_compile_options(mimo_${name} PRIVATE -Wno-shadow)  # it warns of names that other files of a batch have
-      endif()
+    set_target_properties(mimo_${name} PROPERTIES UNITY_BUILD ${MIMO_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+    set_source_files_properties(${room_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    if(MIMO_UNITY AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+      target_compile_options(mimo_${name} PRIVATE -Wno-shadow)  # it warns of names that other files of a batch have
     endif()
     target_include_directories(mimo_${name} PUBLIC ${include_dir})
     target_link_libraries(mimo_${name} PUBLIC ${room_LIBRARIES} PRIVATE ${dependencies})

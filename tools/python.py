@@ -5,8 +5,8 @@ import shutil
 
 from .build import build_program
 from .need import need
-from .pins import PIP, tool
-from .shell import BUILD, ROOT, copy, fresh, only, output, run
+from .pins import PIP, environment, tool
+from .shell import BUILD, ROOT, copy, fail, fresh, only, output, run
 
 NATIVE = BUILD / "python-wheel"  # has the wheel for this system
 WHEELS = BUILD / "wheel"  # has the wheels that were made last
@@ -30,11 +30,10 @@ def pip_wheel(sources, out, folder, **variables):
 
 
 def wheel():
-    """Makes the wheel for this system. It is compiled like the release build, so ccache has all of it."""
+    """Makes the wheel for this system, of the library and the program that are built here."""
     build_program()
     need("python")
-    variables = {"MIMO_WERROR": "ON", "CMAKE_CXX_COMPILER": "c++"}
-    copy([pip_wheel("bindings/python", NATIVE, ROOT / "build-python", **variables)], fresh(WHEELS))
+    copy([pip_wheel("bindings/python", NATIVE, BUILD / "python")], fresh(WHEELS))
 
 
 def sessions(*names, arguments=()):
@@ -43,8 +42,20 @@ def sessions(*names, arguments=()):
     run(tool("nox"), "--envdir", BUILD / "nox", "--session", *names, *arguments, env=PIP)
 
 
+def check_editable():
+    """Installs the package as those who change it do: it takes the library that was built last."""
+    folder, python = fresh(BUILD / "editable"), environment("python-same", "test") / "python"
+    pip = (tool("pip"), "install", "-q", "--no-deps", "--no-build-isolation", "--target", folder)
+    run(*pip, "-e", "./bindings/python", env=PIP)
+    code = f"import site; site.addsitedir({str(folder)!r}); from mimo import World, _library; World('free')"
+    taken = output(python, "-c", f"{code}; print(_library.library_path().parent)", cwd=folder)
+    if taken != str(BUILD / "lib"):
+        fail(f"an editable installation takes the library of {taken}")
+
+
 def test_python():
     wheel()
+    check_editable()
     sessions("package", "shown", "learning")
 
 

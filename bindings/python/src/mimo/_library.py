@@ -21,8 +21,18 @@ from .errors import make_error
 
 S = TypeVar("S", bound=_abi.Struct)
 T = TypeVar("T")
-NATIVE = Path(__file__).resolve().parent / "_native"
+PACKAGE = Path(__file__).resolve().parent
+NATIVE = PACKAGE / "_native"
 LIBRARY_NAME = {"win32": "mimo.dll", "darwin": "libmimo.dylib"}.get(sys.platform, "libmimo.so.1")
+
+
+def native_file(name: str) -> Path:
+    """A file of the package's native part; in a clone, from where `pip install -e` takes the package, the built one."""
+    clone = PACKAGE / "../../../.."
+    if not NATIVE.is_dir() and (clone / "include/mimo/mimo.h").is_file():
+        return (clone / "build" / ("lib" if name == LIBRARY_NAME else "bin") / name).resolve()
+    return NATIVE / name
+
 
 _logger = logging.getLogger("mimo")
 _levels = {LogLevel.WARNING: logging.WARNING, LogLevel.INFO: logging.INFO}
@@ -37,7 +47,7 @@ def library_path() -> Path:
 
     The environment variable MIMO_LIBRARY overrides both.
     """
-    return Path(os.environ.get("MIMO_LIBRARY") or _for_host() or NATIVE / LIBRARY_NAME).resolve()
+    return Path(os.environ.get("MIMO_LIBRARY") or _for_host() or native_file(LIBRARY_NAME)).resolve()
 
 
 def _for_host() -> Optional[Path]:
@@ -57,7 +67,7 @@ def advice_for_host(version: str) -> str:
 def _load(path: Path) -> Any:
     if not path.is_file():
         raise ImportError(
-            f"there is no {path}; install the package with pip, or set MIMO_LIBRARY to the path of libmimo"
+            f"there is no {path}; install the package with pip, run ./dev build in a clone, or set MIMO_LIBRARY to a libmimo"
         )
     # RTLD_LOCAL, the default of ctypes, keeps it apart from another MuJoCo in this process.
     try:
