@@ -239,6 +239,11 @@ class Window:
         self._figure.canvas.draw_idle()
         self._figure.canvas.flush_events()
 
+    @property
+    def is_open(self) -> bool:
+        """Whether the user has not closed it."""
+        return bool(plt.fignum_exists(self._figure.number))
+
     def close(self) -> None:
         """Closes the window."""
         plt.close(self._figure)

@@ -19,7 +19,7 @@ from .engine import CONSTANTS, FUNCTIONS
 from .env import MIMoEnv
 from .live import PAGE
 from .model import CHOICES, COUNTS, LISTED, OPTIONS, DataView, ModelView
-from .names import ENGINE, MODULES, file_of, folders, is_ours, ours
+from .names import ENGINE, MODULES, OLD_GYM, RENAMED, UTILS_NAME, VIEWER, file_of, folders, is_ours, ours
 from .pictures import Renderer
 from .sensors import SimpleProprioception, SimpleVestibular, SimpleVision
 from .skin import Touch
@@ -60,9 +60,8 @@ def examine(source: str, file: str = "<script>") -> Findings:
     seen.names_of(tree)
     seen.visit(tree)
     found = seen.found
-    found.modules = sorted(
-        {name.partition(".")[0] for name in seen.modules.values() if is_ours(name) or name == ENGINE}
-    )
+    roots = {name.partition(".")[0] for name in (*seen.modules.values(), *found.used)}
+    found.modules = sorted(root for root in roots if is_ours(root) or root in (ENGINE, OLD_GYM))
     found.missing = sorted(set(found.missing))
     counts = {len(it.elts) for it in seen.unpacked}
     found.five_results = 4 not in counts or 5 in counts
@@ -91,9 +90,9 @@ class _Reader(ast.NodeVisitor):
             elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
                 for one in node.names:
                     whole = f"{node.module}.{one.name}"
-                    if whole in MODULES or node.module in (ENGINE, *MODULES):
-                        self.modules[one.asname or one.name] = whole if whole in MODULES else node.module
-                    if whole not in MODULES:
+                    if whole in MODULES or one.name in RENAMED:
+                        self.modules[one.asname or one.name] = whole if whole in MODULES else UTILS_NAME
+                    else:
                         self._of_module(node.lineno, node.module, one.name)
             elif isinstance(node, ast.ClassDef) and _is_environment(node):
                 self.derived |= _own_names(node)
@@ -190,7 +189,7 @@ class _Reader(ast.NodeVisitor):
             self.found.missing.append((target.lineno, f"model.opt.{name} = ... (write it in the scene's document)"))
 
     def _of_module(self, line: int, module: str, name: str) -> None:
-        if not is_ours(module) and module != ENGINE:
+        if (not is_ours(module) and module != ENGINE) or module == VIEWER:
             return
         whole = f"{module}.{name}" if name else module
         if name == "*" or name.startswith("__"):
@@ -205,7 +204,7 @@ class _Reader(ast.NodeVisitor):
         beside = file_of(module, [*path, *[os.path.join(place, *parts[1:-1]) for place in folders(parts[0])]])
         if module not in MODULES:
             return bool(beside)
-        if not name or name == "SCENE_DIRECTORY":
+        if not name or name in ("SCENE_DIRECTORY", "SITTING_POSITION"):
             return True
         try:
             ours(module, name)
@@ -249,7 +248,14 @@ def _members() -> Set[str]:
 
 
 def _engine_has(name: str) -> bool:
-    if not name or name in FUNCTIONS or name in CONSTANTS or name in mathematics.FUNCTIONS or name == "Renderer":
+    if (
+        not name
+        or name == "viewer"
+        or name in FUNCTIONS
+        or name in CONSTANTS
+        or name in mathematics.FUNCTIONS
+        or name == "Renderer"
+    ):
         return True
     if name in mathematics.CLASSES or importlib.util.find_spec(ENGINE) is None:
         return name in mathematics.CLASSES

@@ -101,7 +101,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         felt = touch_params
         if touch_params is not None and own.touch_setup is not MIMoEnv.touch_setup:
             felt = {"scales": touch_params.get("scales", {})}  # the places of sensors; the script makes the rest of it
-        senses = senses_of(proprio_params, felt, vision_params, vestibular_params)
+        senses = senses_of(proprio_params, felt, vision_params, vestibular_params, age)
         infant, simulated = split(options, own.__name__)
         infant.update(senses.options, actuation=kind.actuation, **age_of(age, custom_measurements))
         self.proprio_params, self.touch_params = proprio_params, touch_params

@@ -79,4 +79,11 @@ class MjvOption:
         self.frame = self.label = 0
 
 
-CLASSES: Dict[str, Any] = {"MjvCamera": MjvCamera, "MjvOption": MjvOption}
+class MjrRect:
+    """A part of a picture, in pixels."""
+
+    def __init__(self, left: int, bottom: int, width: int, height: int) -> None:
+        self.left, self.bottom, self.width, self.height = left, bottom, width, height
+
+
+CLASSES: Dict[str, Any] = {"MjvCamera": MjvCamera, "MjvOption": MjvOption, "MjrRect": MjrRect}

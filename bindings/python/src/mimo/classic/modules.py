@@ -11,18 +11,22 @@ from types import ModuleType
 from typing import Any, Dict, List, Optional
 
 from .live import PAGE
-from .names import ENGINE, MODULES, OLD_GYM, file_of, folders, is_ours, ours
-from .scenes import scene_directory
+from .names import ENGINE, MODULES, OLD_GYM, VERSIONS, VIEWER, file_of, folders, is_ours, ours
+from .scenes import scene_directory, sitting_position
 
 
 class Alias(ModuleType):
     """A module of the original: our names; those that it lacks come from a file of that name, if one exists."""
 
     def __getattr__(self, name: str) -> Any:
+        if name == "__version__" and self.__name__ in VERSIONS:
+            return VERSIONS[self.__name__]
         if name.startswith("__"):
             raise AttributeError(name)
         if name == "SCENE_DIRECTORY":
             return scene_directory(self.__name__)
+        if name == "SITTING_POSITION":
+            return sitting_position(self.__name__.rpartition(".")[2])
         try:
             found = ours(self.__name__, name)
         except AttributeError:
@@ -31,23 +35,22 @@ class Alias(ModuleType):
         return found
 
     def _from_file(self, name: str) -> Any:
-        own = self.__dict__.get("_own_file")
-        if own and not self.__dict__.get("_reading"):
-            self.__dict__["_reading"] = True
-            values = _executed(self.__name__, own)
-            self.__dict__.update({key: value for key, value in values.items() if key not in self.__dict__})
-            if name in values:
-                return values[name]
+        own: Optional[Dict[str, Any]] = self.__dict__.get("_own_names")
+        if own is None and self.__dict__.get("_own_file"):
+            own = self.read_file()
+        if own is not None and name in own:
+            return own[name]
         raise AttributeError(f"{self.__name__} has no {name!r} here; {PAGE}")
 
-
-def _executed(name: str, file: str) -> Dict[str, Any]:
-    """The names that a file of a checkout defines. Its classes belong to the module `name`."""
-    package = name if file.endswith("__init__.py") else name.rpartition(".")[0]
-    values: Dict[str, Any] = {"__name__": name, "__file__": file, "__package__": package}
-    with open(file, encoding="utf-8") as source:
-        exec(compile(source.read(), file, "exec"), values)
-    return {key: value for key, value in values.items() if not key.startswith("__")}
+    def read_file(self) -> Dict[str, Any]:
+        """The names that the file of a checkout defines. Its classes belong to this module."""
+        name, file = self.__name__, self.__dict__["_own_file"]
+        package = name if file.endswith("__init__.py") else name.rpartition(".")[0]
+        values: Dict[str, Any] = {"__name__": name, "__file__": file, "__package__": package}
+        self.__dict__["_own_names"] = values  # while it is read, too
+        with open(file, encoding="utf-8") as source:
+            exec(compile(source.read(), file, "exec"), values)
+        return values
 
 
 class Finder(MetaPathFinder, Loader):
@@ -56,7 +59,7 @@ class Finder(MetaPathFinder, Loader):
     def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Optional[ModuleSpec]:
         """Modules that are ours; other files in a checkout's packages are found as usual."""
         root = fullname.partition(".")[0]
-        if fullname in MODULES or fullname == ENGINE or root == OLD_GYM:
+        if fullname in MODULES or fullname in (ENGINE, VIEWER) or root == OLD_GYM:
             return importlib.util.spec_from_loader(fullname, self, is_package=True)
         return None
 
@@ -66,6 +69,10 @@ class Finder(MetaPathFinder, Loader):
             from .engine import stand_in
 
             return stand_in(_without_finder(ENGINE))
+        if spec.name == VIEWER:
+            from .windows import viewer_module
+
+            return viewer_module(_without_finder(VIEWER))
         if spec.name.partition(".")[0] == OLD_GYM:
             from .old_gym import module_of
 
@@ -92,11 +99,9 @@ def _with_own_names(module: Alias) -> None:
 
     forget()
     try:
-        module.__dict__["_reading"] = True
-        values = _executed(module.__name__, module.__dict__["_own_file"])
+        module.read_file()
     finally:
         register_again()
-    module.__dict__.update({key: value for key, value in values.items() if key not in module.__dict__})
 
 
 def _without_finder(name: str) -> Optional[ModuleType]:
@@ -104,9 +109,12 @@ def _without_finder(name: str) -> Optional[ModuleType]:
     finders = [finder for finder in sys.meta_path if isinstance(finder, Finder)]
     for finder in finders:
         sys.meta_path.remove(finder)
-    stored = {key: sys.modules.pop(key) for key in list(sys.modules) if key == name}
+    root = name.partition(".")[0]
+    stored = {key: sys.modules.pop(key) for key in list(sys.modules) if key in (root, name)}
     try:
-        return importlib.import_module(name) if importlib.util.find_spec(name) is not None else None
+        return importlib.import_module(name)
+    except ImportError:
+        return None
     finally:
         sys.modules.update(stored)
         for finder in reversed(finders):

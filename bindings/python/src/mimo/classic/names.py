@@ -11,6 +11,7 @@ UTILS = ("mimo.classic.utils",)
 ACTUATION = ("mimo.classic.actuation",)
 TOUCH = ("mimo.classic.skin",)
 SENSORS = ("mimo.classic.sensors",)
+GROWTH = ("mimo.classic.growth",)
 KIT = ("mimo.babybench",)
 
 _ENVS = ("reach", "standup", "selfbody", "catch", "dummy", "roll_over")
@@ -36,7 +37,12 @@ MODULES: Dict[str, Tuple[str, ...]] = {
     "mimoVestibular.vestibular": SENSORS,
     "mimoProprioception": (),
     "mimoProprioception.proprio": SENSORS,
-    "mimo_infant": CLASSIC,
+    "mimoGrowth": GROWTH,
+    "mimoGrowth.growth": GROWTH,
+    "mimo_infant": (*CLASSIC, *GROWTH),
+    "mimo_infant.growth": GROWTH,
+    "mimo_infant.growth.growth": GROWTH,
+    "mimo_infant.growth.scene": GROWTH,
     "mimo_infant.simulation": CLASSIC,
     "mimo_infant.simulation.registration": CLASSIC,
     "mimo_infant.simulation.envs": CLASSIC,
@@ -59,8 +65,11 @@ MODULES: Dict[str, Tuple[str, ...]] = {
     "babybench.eval": ("mimo.babybench.evaluation",),
 }
 ROOTS = tuple(sorted({name.partition(".")[0] for name in MODULES}))
+VERSIONS: Mapping[str, str] = {"mimo_infant": "3.0.0"}
+UTILS_NAME = "mimoEnv.utils"
 RENAMED: Mapping[str, str] = {"mimo_utils": "utils"}  # names of modules that are modules here under another name
 ENGINE = "mujoco"  # its functions take our models, too
+VIEWER = "mujoco.viewer"
 OLD_GYM = "gym"
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Tuple
 
+import numpy as np
+
 from ..arguments import number_of, real_number
 from ..constants import Proprioception, Touch, TouchFrame, TouchResponse, Vestibular
 
@@ -25,6 +27,7 @@ COMPONENTS: Mapping[str, Tuple[str, Proprioception]] = {
     "limits": ("limits", Proprioception.LIMIT),
     "actuation": ("actuation", Proprioception.ACTUATION),
 }
+ADULT, FOVEATION = 18.0, 10.0  # what acuity=True (months) and foveation=True stand for
 VESTIBULAR = {"vestibular_acc": "acceleration", "vestibular_gyro": "angular_velocity"}
 FUNCTIONS = {
     "force_vector": (Touch.FORCE, TouchFrame.BODY),
@@ -69,23 +72,35 @@ DEFAULT_TOUCH_PARAMS = _touch({**_TRUNK, **_sides({**_SHARED, "toes": 0.01, "fin
 DEFAULT_TOUCH_PARAMS_V2 = _touch({**_TRUNK, **_sides({**_SHARED, "toes": 0.01, "big_toe": 0.01, **_FINGERS})})
 
 
+class Eye(NamedTuple):
+    """A camera that is observed."""
+
+    width: int
+    height: int
+    fovy: float  # degrees; 0: the camera's own
+    acuity: float  # age whose eyesight it has, months; 0: sharp
+    foveation: float  # how much the middle is enlarged; 0: not
+
+
 class Senses(NamedTuple):
     """The senses of an infant: the library's options, and the order of the original's arrays."""
 
     options: Dict[str, Any]  # options of the infant
     parts: List[str]  # parts of `observation`, keys of PARTS
     vestibular: List[str]  # fields
-    cameras: Dict[str, Tuple[int, int]]  # width and height by name
+    cameras: Dict[str, "Eye"]  # by name
     spacings: Optional[Dict[str, float]]  # spacing in metres by body; None: the scene's
 
 
-def senses_of(proprio: Params, touch: Params, vision: Params, vestibular: Params) -> Senses:
-    """The senses of these four dictionaries; None switches a sense off, except proprioception."""
+def senses_of(
+    proprio: Params, touch: Params, vision: Params, vestibular: Params, age: Optional[float] = None
+) -> Senses:
+    """The senses of these four dictionaries; None switches a sense off, except proprioception. `age` is in months."""
     parts, options = _proprioception({} if proprio is None else proprio)
     feels, spacings = _skin(touch)
     balance = _balance(vestibular)
     options.update(feels, vision=False, vestibular=bool(balance) and _bits(balance))
-    return Senses(options, parts, balance, _cameras(vision), spacings)
+    return Senses(options, parts, balance, _cameras(vision, age), spacings)
 
 
 def _proprioception(params: Mapping[str, Any]) -> Tuple[List[str], Dict[str, Any]]:
@@ -126,15 +141,25 @@ def _bits(fields: Iterable[str]) -> Vestibular:
     return bits
 
 
-def _cameras(params: Params) -> Dict[str, Tuple[int, int]]:
+def _cameras(params: Params, age: Optional[float]) -> Dict[str, Eye]:
     cameras = {}
     for name, size in (DEFAULT_VISION_PARAMS if params == {} else params or {}).items():
         if not isinstance(size, Mapping):
             raise TypeError(f"vision_params[{name!r}] is {size!r}, expected {{'width': 256, 'height': 256}}")
-        _known(f"vision_params[{name!r}]", size, ("width", "height"))
+        _known(f"vision_params[{name!r}]", size, ("width", "height", "fovy", "acuity", "foveation"))
         width, height = (number_of(f"{side} of {name!r}", size.get(side, 256)) for side in ("width", "height"))
-        cameras[name] = (width, height)
+        fovy = real_number(f"fovy of {name!r}", size.get("fovy", 0))
+        acuity = _strength(f"acuity of {name!r}", size.get("acuity", False), ADULT if age is None else age)
+        foveation = _strength(f"foveation of {name!r}", size.get("foveation", False), FOVEATION)
+        cameras[name] = Eye(width, height, fovy, acuity, foveation)
     return cameras
+
+
+def _strength(name: str, given: Any, standard: float) -> float:
+    """A number; True stands for the standard one, False for 0."""
+    if given is None or isinstance(given, (bool, np.bool_)):
+        return standard if given else 0.0
+    return real_number(name, given)
 
 
 def _known(name: str, params: Any, keys: Iterable[str]) -> None:

@@ -52,7 +52,7 @@ def about(axis: ArrayLike, angle: float) -> Numbers:
 
 
 def from_euler(angles: ArrayLike, sequence: str = "xyz") -> Numbers:
-    """The quaternion of three rotations (rad) about the axes of `sequence`; lower case: moving axes, else fixed ones."""
+    """The quaternion of three rotations (rad) about the axes of `sequence`; lower case: moving axes."""
     turned = np.array([1.0, 0, 0, 0])
     for angle, axis in zip(np.asarray(angles, np.float64), sequence):
         turn = about(np.eye(3)["xyz".index(axis.lower())], float(angle))

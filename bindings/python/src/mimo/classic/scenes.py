@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import xml.etree.ElementTree as ET
 from contextlib import suppress
 from typing import Any, Dict, Mapping, NamedTuple, Optional, Tuple
 
@@ -14,6 +15,7 @@ from ..arguments import vector
 from ..errors import ArgumentError
 from ..options import AgentOptions, EnvOptions, GrowthOptions, PhysicsOptions, enums, refuse_unknown
 from ..scene import Scene, scenes
+from .eyes import blur_of
 from .params import Senses
 
 Numbers = NDArray[Any]
@@ -55,6 +57,15 @@ def scene_directory(module: str) -> str:
     return os.path.join(os.path.dirname(os.path.abspath(__file__)), "assets")
 
 
+def sitting_position(name: str) -> Dict[str, Numbers]:
+    """The posture in which the original's task of this name starts: angles by joint, rad."""
+    scene = Scene(name if name in scenes() else "selfbody")
+    scene.add_agents()
+    pose = ET.fromstring(scene.xml).find("custom/tuple[@name='mimo:pose']")
+    elements = [] if pose is None else pose.findall("element[@objtype='joint']")
+    return {str(it.get("objname")): np.array([float(it.get("prm", 0))]) for it in elements}
+
+
 def age_of(months: Optional[float], measures: Optional[Mapping[str, float]]) -> Dict[str, Any]:
     """Options of an infant's age."""
     if measures:
@@ -91,7 +102,7 @@ def start_of(
     parameters: Mapping[str, float],
 ) -> Start:
     """The same, and what its worlds begin with."""
-    scene, body = _start(model_path)
+    scene, body = opened(model_path)
     late = {joint: np.atleast_1d(np.asarray(value, np.float64)) for joint, value in pose.items()}
     root = _root_in(late) if body != "scene" else {}
     if body == "scene":
@@ -102,8 +113,10 @@ def start_of(
         scene.set_touch(None, 0.0)
         for name, metres in senses.spacings.items():
             scene.set_touch(name, metres)
-    for name, (width, height) in senses.cameras.items():
-        scene.add_camera(name, width=width, height=height)
+    for name, eye in senses.cameras.items():
+        scene.add_camera(name, width=eye.width, height=eye.height, fovy=eye.fovy)
+        if eye.acuity:
+            scene.limit_sense(f"vision/{name}", blur=blur_of(eye.acuity))
     for joint in [joint for joint, value in late.items() if len(value) == 1 and joint not in JOINTS_OF_ROOT]:
         with suppress(ArgumentError):  # beyond the joint's range, where the original lets it start
             scene.set_pose(joint, float(late[joint][0]))
@@ -123,7 +136,7 @@ def _root_in(pose: Dict[str, Numbers]) -> Dict[str, Any]:
     return options
 
 
-def _start(model_path: Any) -> Tuple[Scene, str]:
+def opened(model_path: Any) -> Tuple[Scene, str]:
     """The scene without its infant, and the infant's body: "" for the scene's default, "scene" for its own."""
     if isinstance(model_path, Scene):
         return model_path.copy(), _body_in(model_path)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..layout import Observation
 from ..world import World
+from .eyes import Fovea
 from .params import ACTUATION, PARTS, Senses
 from .skin import Touch, force_field
 
@@ -39,6 +40,8 @@ class Observer:
         self._torques = _picked(fields, torque_sensors)
         self._vestibular = [f"vestibular/{name}" for name in senses.vestibular]
         self._cameras = list(senses.cameras)
+        eyes = senses.cameras.items()
+        self._foveas = {name: Fovea(eye.width, eye.height, eye.foveation) for name, eye in eyes if eye.foveation}
         self.touch = Touch(world, force_field(fields)) if force_field(fields) else None
         block = world.layout.new_block()
         block[...] = 0
@@ -77,7 +80,9 @@ class Observer:
 
     def pictures(self, views: Observation) -> Dict[str, NDArray[np.uint8]]:
         """One picture a camera."""
-        return {name: views[f"vision/{name}"].copy() for name in self._cameras}
+        pictures = {name: views[f"vision/{name}"].copy() for name in self._cameras}
+        pictures.update({name: fovea.seen(pictures[name]) for name, fovea in self._foveas.items()})
+        return pictures
 
     def _boxes(self, views: Observation) -> Dict[str, spaces.Box]:
         """Unbounded spaces, as in the original; pictures are 0 to 255."""
