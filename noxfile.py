@@ -17,7 +17,7 @@ def install(session: nox.Session, *lists: str) -> None:
     """Installs the packages of tools/pins/LIST.txt, each with its hash, and the wheel."""
     for one in lists:
         files = ("--only-binary=:all:", "-r", f"tools/pins/{one}.txt")
-        session.install("-q", "--require-hashes", *(("--no-deps",) if one == "train-alone" else ()), *files)
+        session.install("-q", "--require-hashes", *(("--no-deps",) if one.endswith("-alone") else ()), *files)
     (wheel,) = (ROOT / "build/python-wheel").glob("mimo-*.whl")
     session.install("-q", "--no-deps", str(wheel))
 
@@ -65,6 +65,16 @@ def learning(session: nox.Session) -> None:
     """Stable-Baselines3, and the same algorithms compiled by JAX (sbx)."""
     install_learner(session, "train", "train", "train-alone")
     check(session, "sb3", guides="learning")
+
+
+@nox.session
+@nox.parametrize("gymnasium", ["0.28", "0.29"])
+def earlier(session: nox.Session, gymnasium: str) -> None:
+    """Environments on earlier versions of Gymnasium, with the NumPy and Stable-Baselines3 of their time."""
+    if not shutil.which("apt-get"):
+        session.skip("the lists go with Debian's torch")
+    install_learner(session, "train", f"gymnasium-{gymnasium}", f"gymnasium-{gymnasium}-alone")
+    check(session, "env", "vector", "tasks", "copies", "classic", "babybench", "babybench_logs", "sb3")
 
 
 @nox.session

@@ -38,7 +38,8 @@ def wheel():
 
 def sessions(*names, arguments=()):
     """Runs sessions of noxfile.py; those that learn use Debian's torch where there is one."""
-    need("python", *(["train"] if shutil.which("apt-get") and {"learning", "ray", "train"} & {*names} else []))
+    learn = {"learning", "earlier", "ray", "train"} & {*names}
+    need("python", *(["train"] if learn and shutil.which("apt-get") else []))
     run(tool("nox"), "--envdir", BUILD / "nox", "--session", *names, *arguments, env=PIP)
 
 
@@ -56,7 +57,7 @@ def check_editable():
 def test_python():
     wheel()
     check_editable()
-    sessions("package", "shown", "learning")
+    sessions("package", "shown", "learning", "earlier")
 
 
 def test_pythons():

@@ -60,7 +60,7 @@ def test_percentiles_are_those_of_a_normal_distribution():
 def test_gymnasium_environments_have_an_age():
     env = mimo.make("free", age=6, sex="female", percentile=50, vision=False)
     base = mimo.make("free", vision=False)
-    assert env.observation_space.keys() == base.observation_space.keys()
+    assert list(env.observation_space.keys()) == list(base.observation_space.keys())
     env.reset(seed=1)
     env.step(env.action_space.sample())
 

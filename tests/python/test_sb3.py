@@ -12,6 +12,7 @@ import pytest
 from test_tasks import Lift, ReachUp
 
 import mimo
+from mimo import classic
 
 sb3 = pytest.importorskip("stable_baselines3", reason="Stable-Baselines3 (extra [train]) is not installed")
 from stable_baselines3.common.env_checker import check_env  # noqa: E402
@@ -33,6 +34,31 @@ def test_checker(scene):
         warnings.simplefilter("always")
         check_env(mimo.make(scene, normalize_actions=True))
     assert [str(w.message) for w in said if EXPLAINED not in str(w.message)] == []
+
+
+@pytest.mark.parametrize("name", ["MIMoReach-v0", "MIMoStandup-v0", "MIMoCatch-v0"])
+def test_checker_of_the_original_s_environments(name):
+    # The original's environments have compute_reward, without goals in their observations.
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        check_env(classic.make(name))
+
+
+def test_rewards_of_derived_classes():
+    class Still(classic.MIMoReachEnv):
+        def compute_reward(self, achieved_goal, desired_goal, info):
+            return super().compute_reward(achieved_goal, desired_goal, info) - 10
+
+        def step(self, action):
+            observation, reward, *rest = super().step(action)
+            assert reward == self.compute_reward(self.get_achieved_goal(), self.goal, rest[-1])
+            return observation, reward, *rest
+
+    env = Still()
+    check_env(env, warn=False)
+    env.reset(seed=1)
+    assert -11 < env.step(np.zeros(8))[1] < -10
+    assert hasattr(env, "compute_reward")
 
 
 def test_existing_environments_are_taken():
@@ -273,6 +299,7 @@ def test_vec_monitor():
         assert info["episode"]["r"] == pytest.approx(returns[i], abs=1e-5)
 
 
+@pytest.mark.skipif(not hasattr(SB3VecEnv, "set_options"), reason="Stable-Baselines3 has options since 2.1")
 def test_unknown_reset_options_are_refused():
     envs = SB3VecEnv("reach", 2)
     envs.set_options({"speed": 3})

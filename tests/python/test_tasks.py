@@ -48,9 +48,9 @@ def test_the_action_is_seen():
     one.reset(seed=1), many.reset(seed=1)
     action = np.full(one.action_space.shape, 7, np.float32)
     most = one.action_space.high[0]
-    assert one.step(action)[1] == -(most**2)
+    assert one.step(action)[1] == -np.square(most)
     assert one.world.action[0] == most
-    assert np.array_equal(many.step(np.stack([action, 0 * action]))[1], [-(most**2), 0])
+    assert np.array_equal(many.step(np.stack([action, 0 * action]))[1], [-np.square(most), 0])
     one.reset()
     assert one.world.action is None
     many.close()

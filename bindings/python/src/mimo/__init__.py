@@ -10,7 +10,7 @@ The library's messages go to the logger "mimo".
 from __future__ import annotations
 
 import importlib.util
-from typing import Any, Union
+from typing import TYPE_CHECKING, Any, Union
 
 from . import constants, conversions
 from ._library import abi_version, api_version, library_path, mujoco_version, supports, version
@@ -18,7 +18,6 @@ from .access import Access
 from .batch import Batch
 from .constants import *  # noqa: F403
 from .conversions import *  # noqa: F403
-from .env import Env, register
 from .errors import (
     ArgumentError,
     BusyError,
@@ -42,35 +41,41 @@ from .maturity import Maturity
 from .own_task import Moment, WorldTask
 from .recorder import Recorder
 from .recordings import Recording, ReplayReport
+from .registration import register_when_imported
 from .results import StepResult
 from .scene import Scene, faces, materials, rooms, scenes, tasks
 from .selection import Selection
 from .senses import Senses
 from .states import LoadReport
 from .tasks import GoalTask, Judgement, Task
-from .vector import VectorEnv, make_vec
 from .world import World
 
+if TYPE_CHECKING:
+    from .env import Env
+    from .vector import VectorEnv, make_vec
+
 __version__ = version()
+# Imported on demand, because they need Gymnasium or PettingZoo.
+_MODULES = {"Env": "env", "VectorEnv": "vector", "make_vec": "vector", "ParallelEnv": "parallel"}
 
 
 def make(scene: Union[str, Scene] = "benchmark", **options: Any) -> Env:
     """One world of a scene as a gymnasium.Env; see mimo.Env for the options."""
+    from .env import Env
+
     return Env(scene, **options)
 
 
 def __getattr__(name: str) -> Any:
-    if name == "ParallelEnv":  # needs PettingZoo
-        from .parallel import ParallelEnv
-
-        return ParallelEnv
+    if name in _MODULES:
+        return getattr(importlib.import_module(f"mimo.{_MODULES[name]}"), name)
     # Modules are imported on demand, because some need extras.
     if not name.startswith("_") and importlib.util.find_spec(f"mimo.{name}") is not None:
         return importlib.import_module(f"mimo.{name}")
     raise AttributeError(f"module 'mimo' has no attribute {name!r}")
 
 
-register()
+register_when_imported()
 
 __all__ = [
     *constants.__all__,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import gymnasium
 import numpy as np
@@ -183,26 +183,3 @@ def with_task(options: Any, task: Union[Task, str, None]) -> Any:
     if isinstance(task, type):
         raise TypeError(f"task is the class {task.__name__}, expected an object of it: {task.__name__}(...)")
     return {**options, "task": "none" if isinstance(task, Task) else task}
-
-
-ENVIRONMENTS: List[Tuple[str, str]] = [
-    ("mimo/Reach-v0", "reach"),
-    ("mimo/Standup-v0", "standup"),
-    ("mimo/SelfBody-v0", "selfbody"),
-    ("mimo/Catch-v0", "catch"),
-    ("mimo/Rollover-v0", "rollover"),
-    ("mimo/SelfTouch-v0", "babybench-crib"),
-    ("mimo/HandRegard-v0", "babybench-cubes"),
-    ("mimo/Benchmark-v0", "benchmark"),
-    ("mimo/Free-v0", "free"),
-    ("mimo/Showroom-v0", "showroom"),
-]
-
-
-def register() -> None:
-    """Registers "mimo/Reach-v0" and the others with Gymnasium; `import mimo` calls it."""
-    for name, scene in ENVIRONMENTS:
-        if name not in gymnasium.registry:
-            gymnasium.register(
-                name, entry_point="mimo:Env", vector_entry_point="mimo:VectorEnv", kwargs={"scene": scene}
-            )

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Sequen
 from weakref import WeakValueDictionary
 
 import numpy as np
-from gymnasium import spaces
 from numpy.typing import ArrayLike, NDArray
 
 from . import _abi
@@ -23,6 +22,8 @@ from .layout import Observation
 from .tasks import Judgement, missing
 
 if TYPE_CHECKING:
+    from gymnasium import spaces
+
     from .world import World
 
 
@@ -185,7 +186,9 @@ class Bound:
         verdict.goes_on, verdict.truncated = not judged.terminated, bool(judged.truncated)
 
     def _checked(self, name: str, box: Any) -> bool:
-        if not isinstance(box, spaces.Box) or box.dtype != np.float32:
+        from gymnasium.spaces import Box
+
+        if not isinstance(box, Box) or box.dtype != np.float32:
             raise TypeError(f"{self.name}: the space of {name!r} is {box!r}, expected a gymnasium Box of float32")
         if np.unique(box.low).size != 1 or np.unique(box.high).size != 1:
             raise ValueError(f"{self.name}: the bounds of {name!r} differ, expected one low and one high for all")

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any, Optional, Sequence, Tuple
 
-import gymnasium
-
 from .arguments import number_of
 from .world import World
 
@@ -14,7 +12,9 @@ ARRAYS = ("rgb_array", "depth_array")
 
 def without_mode(kind: type) -> None:
     """Warns as Gymnasium's environments do when render() is called without a render mode."""
-    gymnasium.logger.warn(
+    from gymnasium import logger
+
+    logger.warn(
         f"render() draws nothing: this {kind.__name__} was made without render_mode; give it render_mode={ARRAYS[0]!r}"
     )
 

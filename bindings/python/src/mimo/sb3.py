@@ -37,12 +37,13 @@ class SB3VecEnv(VecEnv):
 
     def reset(self) -> Any:
         """Starts an episode in all worlds."""
-        for options in self._options:
+        for options in getattr(self, "_options", ()):  # since SB3 2.1
             reset_options(options)
         seed = self._seeds[0] if self._seeds else None
         observation, _ = self.envs.reset(seed=seed)
         self._reset_seeds()
-        self._reset_options()
+        if hasattr(self, "_reset_options"):
+            self._reset_options()
         self.reset_infos: List[Dict[str, Any]] = [{} for _ in range(self.num_envs)]
         return observation
 

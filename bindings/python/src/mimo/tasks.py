@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, NamedTuple, Sequence, Union
+from typing import TYPE_CHECKING, Any, Dict, Mapping, NamedTuple, Sequence, Union
 
 import numpy as np
-from gymnasium import spaces
 from numpy.typing import NDArray
 
 from .access import Access
 from .selection import Mask
+
+if TYPE_CHECKING:
+    from gymnasium import spaces
 
 Flags = Union[bool, NDArray[np.bool_]]
 GOALS = ("achieved_goal", "desired_goal")  # Gymnasium's names
@@ -108,6 +110,8 @@ class Judge:
     """Calls a task for an environment, and checks its results."""
 
     def __init__(self, task: Task, world: Access, agents: Sequence[str] = SOLE) -> None:
+        from gymnasium.spaces import Box
+
         self.task, self._name, self._agents = task, type(task).__name__, agents
         self._lead = world._lead
         task.setup(world)
@@ -115,7 +119,7 @@ class Judge:
         if isinstance(task, GoalTask):
             self.fields.update(dict.fromkeys(GOALS, task.goal))
         for name, box in self.fields.items():
-            if not isinstance(box, spaces.Box):
+            if not isinstance(box, Box):
                 raise TypeError(f"{self._name}: the space of {name!r} is {_what(box)}, expected a gymnasium Box")
             if name in world.layout.fields:
                 raise ValueError(f"{self._name}: the world has a field {name!r} already; give yours another name")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import gymnasium.vector
 import numpy as np
@@ -34,7 +34,23 @@ def _declared(mode: str) -> Any:
     return mode if modes is None else modes(mode)
 
 
-class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
+if TYPE_CHECKING:
+    VectorBase = gymnasium.vector.VectorEnv[Any, Any, Any]
+elif issubclass(gymnasium.vector.VectorEnv, gymnasium.Env):
+
+    class VectorBase(gymnasium.vector.VectorEnv):
+        """Gymnasium's base class before 1.0, which resets single environments, as later versions reset theirs."""
+
+        is_vector_env, closed, viewer = True, False, None
+
+        def reset(self, *, seed=None, options=None):
+            return gymnasium.Env.reset(self, seed=seed, options=options)
+
+else:
+    VectorBase = gymnasium.vector.VectorEnv
+
+
+class VectorEnv(VectorBase):
     """Many worlds of one scene, stepped by the library's threads.
 
     Observations are views of two alternating blocks of the library, so an observation is valid until the second step

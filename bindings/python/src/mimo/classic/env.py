@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 import warnings
 from collections import deque
+from types import FunctionType
 from typing import Any, Dict, Mapping, Optional, Sequence, Tuple
 
 import gymnasium
@@ -17,6 +18,7 @@ from ..layout import Observation as Views
 from ..world import World
 from .actuation import SpringDamperModel, is_own, model_of
 from .differences import DifferenceWarning, differences_of
+from .goals import RewardOfGoals
 from .live import PAGE, Stage
 from .model import DataView, ModelView
 from .params import Params, senses_of
@@ -179,8 +181,15 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.mujoco_renderer.close()
         self.world.close()
 
-    # ---- For custom environments ----------------------------------------------------------------------------------
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        own = cls.__dict__.get("compute_reward")
+        if isinstance(own, FunctionType):
+            setattr(cls, "compute_reward", RewardOfGoals(own))  # noqa: B010
 
+    # ---- For custom environments -----------------------------------------------------------------------------------
+
+    @RewardOfGoals
     def compute_reward(self, achieved_goal: Any, desired_goal: Any, info: Any) -> Any:
         """The reward of the last step, by the library's task; not a function of goals alone."""
         if np.ndim(achieved_goal) > 1:

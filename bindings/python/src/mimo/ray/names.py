@@ -5,8 +5,8 @@ from __future__ import annotations
 import difflib
 from typing import Any, Mapping, Union
 
-from ..env import ENVIRONMENTS
 from ..options import EnvOptions, refuse_unknown
+from ..registration import ENVIRONMENTS
 from ..scene import Scene, scenes
 from ..vector import VectorEnv as LocalVectorEnv
 

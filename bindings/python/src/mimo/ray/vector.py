@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
-import gymnasium.vector
 import numpy as np
 from gymnasium.vector.utils import batch_space
 
 from ..arguments import reset_options, whole_number
 from ..scene import Scene
 from ..tasks import GoalTask
-from ..vector import Results, from_chance
+from ..vector import Results, VectorBase, from_chance
 from .actors import Part
 from .cluster import connect
 from .names import check, scene_of
@@ -19,7 +18,7 @@ from .names import check, scene_of
 KEPT_EVERY = 50  # most steps that are repeated after the loss of an actor
 
 
-class VectorEnv(gymnasium.vector.VectorEnv[Any, Any, Any]):
+class VectorEnv(VectorBase):
     """mimo.VectorEnv whose worlds are spread over Ray actors, and so over the machines of a cluster.
 
     World i behaves exactly like world i of mimo.VectorEnv, with any number of `actors`. A lost actor is replaced, and
