@@ -74,7 +74,9 @@ def earlier(session: nox.Session, gymnasium: str) -> None:
     if not shutil.which("apt-get"):
         session.skip("the lists go with Debian's torch")
     install_learner(session, "train", f"gymnasium-{gymnasium}", f"gymnasium-{gymnasium}-alone")
-    check(session, "env", "vector", "tasks", "copies", "classic", "babybench", "babybench_logs", "sb3")
+    check(
+        session, "env", "vector", "tasks", "copies", "classic", "classic_model", "classic_scripts", "babybench", "sb3"
+    )
 
 
 @nox.session
