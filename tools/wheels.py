@@ -86,19 +86,10 @@ def put_wheel(system, python, folder, pins=""):
     older = ("manylinux_2_28", "manylinux2014", "manylinux_2_27")
     tags = {system.wheel_tag.replace("manylinux_2_28", tag): None for tag in older}
     tagged = [word for tag in tags for word in ("--platform", tag)]
-    pip = (
-        tool("pip"),
-        "install",
-        "-q",
-        "--target",
-        folder,
-        "--implementation",
-        "cp",
-        "--python-version",
-        python,
-        *tagged,
-    )
+    # pip install compares what packages require with the Python that runs it, not with the version that it is told.
+    place = ("--target", folder, "--implementation", "cp", "--python-version", python, "--ignore-requires-python")
+    pip = (tool("pip"), "install", "-q", "--only-binary=:all:", "--no-deps", *place, *tagged)
     shutil.rmtree(folder, ignore_errors=True)
     pinned = ("--require-hashes", "-r", LISTS / f"{pins or f'run-{python}'}.txt")
     for what in (pinned, (only(WHEELS, f"mimo-*-{system.wheel_tag}.whl"),)):
-        run(*pip, "--only-binary=:all:", "--no-deps", *what, env=PIP)
+        run(*pip, *what, env=PIP)
