@@ -91,7 +91,7 @@ def train(session: nox.Session) -> None:
 def view(session: nox.Session) -> None:
     """The viewer, in a headless browser, Rerun, and USD."""
     install(session, "view")
-    check(session, "view", "view_door", "video", "recordings", "plot", "rerun", "usd", "shown")
+    check(session, "view", "view_door", "video", "babybench_pictures", "recordings", "plot", "rerun", "usd", "shown")
 
 
 @nox.session

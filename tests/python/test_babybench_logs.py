@@ -156,7 +156,7 @@ def test_entries_that_count_nothing(entry, line, tmp_path):
             + "".join(
                 f"{n}: &{n} [*{p}, *{p}]\n" for p, n in zip("abcdefghijklmnopqrstuvw", "bcdefghijklmnopqrstuvwx")
             ),
-            "config has 'a', which is not a switch",
+            "config has 'a', but no switch",
         ),
         ("scene: &a [x, [&b [*a, *a], *b, *b]]\n", r"scene is \['x', \[\["),
     ],

@@ -119,6 +119,25 @@ def test_logs_are_written_every_so_many_steps(tmp_path):
     assert [entry["steps"] for entry in logged(tmp_path)] == [0, 3, 4]
 
 
+def test_logs_can_wait_for_the_end(tmp_path):
+    env = run(tmp_path, (3, 4), save_logs_every=0)
+    env.reset()
+    assert not (tmp_path / "logs").exists()
+    env.close()
+    assert [entry["steps"] for entry in logged(tmp_path)] == [0, 3, 4, 0]
+
+
+def test_keys_of_ones_own_stay_in_the_configuration():
+    given = {"scene": "crib", "learning_rate": 3e-4, "touch_toes": True, **BLIND}
+    with pytest.warns(UserWarning, match="is not a switch") as said:
+        env = babybench.make(given)
+    assert [str(warning.message) for warning in said if "config" in str(warning.message)] == [
+        "config has 'learning_rate', which is not a switch and has no effect",
+        "config has 'touch_toes', which is not a switch and has no effect; did you mean 'touch_legs'?",
+    ]
+    assert env.config["learning_rate"] == 3e-4
+
+
 def test_an_earlier_log_is_kept(tmp_path):
     run(tmp_path).close()
     run(tmp_path, (5,)).close()
@@ -197,7 +216,8 @@ def test_configurations_in_files(tmp_path):
 @pytest.mark.parametrize(
     ("given", "error", "line"),
     [
-        ({"touch_toes": True}, ValueError, "config has 'touch_toes', which is not a switch; did you mean 'touch_legs'"),
+        ({"learning_rate": 3}, ValueError, "config has 'learning_rate', but no switch. There are: save_dir, behavior"),
+        ({"save_logs_every": -1}, ValueError, "save_logs_every is -1, expected a whole number from 0 on"),
         ({"scene": "kitchen"}, ValueError, "scene is 'kitchen', expected 'base', 'crib', 'cubes'"),
         ({"behavior": "walk"}, ValueError, "behavior is 'walk', expected 'none', 'self_touch', 'hand_regard'"),
         ({"act_arms": 1}, ValueError, "act_arms is 1, expected true or false"),

@@ -63,10 +63,7 @@ def test_sizes_are_the_original_s(name):
 @pytest.mark.parametrize(
     ("name", "keys"),
     [
-        (
-            "MIMoBench-v0",
-            ["achieved_goal", "desired_goal", "eye_left", "eye_right", "observation", "touch", "vestibular"],
-        ),
+        ("MIMoBench-v0", ["eye_left", "eye_right", "observation", "touch", "vestibular"]),
         ("MIMoReach-v0", ["observation"]),
         ("MIMoStandup-v0", ["observation", "vestibular"]),
         ("MIMoSelfBody-v0", ["achieved_goal", "desired_goal", "observation", "touch"]),

@@ -12,7 +12,7 @@ import argparse
 import os
 import sys
 from contextlib import contextmanager, suppress
-from typing import Any, Iterator, List, Optional
+from typing import Any, Iterable, Iterator, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,12 +126,19 @@ class Frame:
 class File:
     """A video file being written, in one of FORMATS."""
 
-    def __init__(self, path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> None:
+    def __init__(
+        self,
+        path: str,
+        rate: int,
+        sound_rate: Optional[int] = None,
+        full_scale: float = FULL_SCALE,
+        size: Tuple[int, int] = SIZE,
+    ) -> None:
         av = self._av = _av()
         self._file = av.open(path, "w")
         codec = "libx264" if "libx264" in av.codecs_available else "mpeg4"
         self._pictures = self._file.add_stream(codec, rate=rate)
-        self._pictures.width, self._pictures.height = SIZE
+        self._pictures.width, self._pictures.height = size
         self._pictures.pix_fmt = "yuv420p"
         if codec == "libx264":
             self._pictures.options = {"crf": "18"}
@@ -206,13 +213,29 @@ def film(
     return count
 
 
+def write(path: str, pictures: Iterable[NDArray[np.uint8]], rate: int, size: Tuple[int, int]) -> None:
+    """Writes pictures of a size (width, height) into a silent video."""
+    width, height = size
+    with _video(path, rate, size=size) as file:
+        for picture in pictures:
+            if np.shape(picture) != (height, width, 3):
+                raise ValueError(f"a picture has the shape {np.shape(picture)}, expected {(height, width, 3)}")
+            file.show(np.ascontiguousarray(picture, np.uint8))
+
+
 @contextmanager
-def _video(path: str, rate: int, sound_rate: Optional[int], full_scale: float) -> Iterator[File]:
+def _video(
+    path: str,
+    rate: int,
+    sound_rate: Optional[int] = None,
+    full_scale: float = FULL_SCALE,
+    size: Tuple[int, int] = SIZE,
+) -> Iterator[File]:
     """A file that gets its name when it is complete."""
     if os.path.splitext(path)[1].lower() not in FORMATS:
         raise ValueError(f"{path} cannot be written as a video: expected a name that ends with {', '.join(FORMATS)}")
     with new_file(path) as beside:
-        file = File(str(beside), rate, sound_rate, full_scale)
+        file = File(str(beside), rate, sound_rate, full_scale, size)
         try:
             yield file
             file.finish()

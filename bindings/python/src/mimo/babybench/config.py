@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import warnings
 from pathlib import Path
 from reprlib import repr as short
 from typing import Any, Dict, List, Mapping, Union
@@ -39,12 +40,20 @@ DEFAULTS: Config = {
 }
 
 
+class Checked(Dict[str, Any]):
+    """A configuration that was loaded, whose warnings have been given."""
+
+
 def load(config: Given) -> Config:
-    """A complete configuration: of a file, a shipped one ("selftouch"), or a dict; missing keys have their default."""
+    """A complete configuration: of a file, a shipped one ("selftouch"), or a dict; missing keys have their default.
+
+    Keys that are not switches stay in it, with a warning.
+    """
     given = config if isinstance(config, Mapping) else _read(config)
+    _tell_others(given)
     for name, value in given.items():
         _check(name, value)
-    return {**DEFAULTS, **given}
+    return Checked({**DEFAULTS, **given})
 
 
 def on(config: Mapping[str, Any], prefix: str) -> List[str]:
@@ -78,17 +87,28 @@ def _read(path: Any) -> Mapping[str, Any]:
     return given
 
 
-def _check(name: Any, value: Any) -> None:
-    if name not in DEFAULTS:
-        near = difflib.get_close_matches(str(name), DEFAULTS, 1)
+def _tell_others(given: Mapping[str, Any]) -> None:
+    others = [str(name) for name in given if name not in DEFAULTS]
+    if not others or isinstance(given, Checked):
+        return
+    if len(others) == len(given):
+        raise ValueError(f"config has {short(others[0])}, but no switch. There are: {', '.join(DEFAULTS)}")
+    for name in others:
+        near = difflib.get_close_matches(name, DEFAULTS, 1)
         meant = f"; did you mean {near[0]!r}?" if near else ""
-        raise ValueError(f"config has {name!r}, which is not a switch{meant} There are: {', '.join(DEFAULTS)}")
+        warnings.warn(f"config has {short(name)}, which is not a switch and has no effect{meant}", stacklevel=3)
+
+
+def _check(name: Any, value: Any) -> None:
     if name in CHOICES and value not in CHOICES[name]:
         raise ValueError(f"{name} is {short(value)}, expected {', '.join(map(repr, CHOICES[name]))}")
     if name in FLAGS and not isinstance(value, bool):
         raise ValueError(f"{name} is {short(value)}, expected true or false")
-    if (name in COUNTS or name == "vision_resolution") and not (_is_number(value, int) and value >= 1):
-        raise ValueError(f"{name} is {short(value)}, expected a whole number from 1 on")
+    if (name in COUNTS or name == "vision_resolution") and not _is_number(value, int):
+        raise ValueError(f"{name} is {short(value)}, expected a whole number")
+    least = 0 if name == "save_logs_every" else 1
+    if (name in COUNTS or name == "vision_resolution") and value < least:
+        raise ValueError(f"{name} is {short(value)}, expected a whole number from {least} on")
     if name == "touch_scale" and not (_is_number(value, (int, float)) and value >= 0):
         raise ValueError(f"touch_scale is {short(value)}, expected a number from 0 on; 0: no touch")
     if name == "save_dir" and not (value is None or isinstance(value, (str, os.PathLike))):

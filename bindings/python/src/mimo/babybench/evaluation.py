@@ -11,12 +11,14 @@ from typing import Any, Dict, List, Mapping, Optional
 from .logs import TRAINING, write
 from .reports import entries_of, report
 from .scores import scores_of
+from .utils import CORNERS, evaluation_img, evaluation_video
 
 
 class Evaluation:
     """Tracks episodes of an environment: reset(), eval_step(info) after each step, end(episode).
 
-    Writes logs/evaluation_<i>.pkl, a dict with `qpos` and `info` of all steps. `render` has no effect.
+    Writes logs/evaluation_<i>.pkl, a dict with `qpos` and `info` of all steps. With `render` also
+    videos/evaluation_<i>.avi, with a frame a step at 60 frames a second (needs the extra [video]).
     """
 
     def __init__(self, env: Any, duration: int = 1000, render: Any = False, save_dir: Any = None) -> None:
@@ -24,12 +26,14 @@ class Evaluation:
         folder = save_dir or self.env.save_dir
         if folder is None:
             raise ValueError("save_dir is None, expected a folder as an argument or in the configuration")
-        self.logs = Path(folder) / "logs"
+        self.logs, self.videos = Path(folder) / "logs", Path(folder) / "videos"
+        self.render = bool(render)
         self.reset()
 
     def reset(self) -> None:
         """Begins an episode."""
         self._steps: Dict[str, List[Any]] = {"qpos": [], "info": []}
+        self._frames: List[Any] = []
 
     def eval_logs(self) -> str:
         """The scores of the training, in one line; also printed."""
@@ -42,11 +46,16 @@ class Evaluation:
         """Adds a step."""
         self._steps["qpos"].append(self.env.data.qpos.copy())
         self._steps["info"].append(dict(info))
+        if self.render:
+            self._frames.append(evaluation_img(self.env, up=CORNERS[self.env.config["behavior"]]))
 
     def end(self, episode: int) -> Optional[Path]:
-        """Ends an episode and writes its log."""
+        """Ends an episode, and writes its log and its video."""
         path = self.logs / f"evaluation_{episode}.pkl"
         write(path, self._steps)
+        if self._frames:
+            self.videos.mkdir(parents=True, exist_ok=True)
+            evaluation_video(self._frames, self.videos / f"evaluation_{episode}.avi")
         return path
 
 

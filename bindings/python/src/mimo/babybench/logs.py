@@ -38,7 +38,7 @@ def log_of(config: Mapping[str, Any]) -> "TrainingLog":
 
 
 class TrainingLog:
-    """A log with one entry per episode, written every few steps and when it is closed.
+    """A log with one entry per episode, written every few steps (0: never) and when it is closed.
 
     A log of an earlier run is kept beside it (training_1.pkl, ...).
     """
@@ -52,7 +52,7 @@ class TrainingLog:
         """Appends an ended episode."""
         self.entries.append(entry)
         self._unwritten += int(entry["steps"])
-        if self._unwritten >= self._every:
+        if 0 < self._every <= self._unwritten:
             self.flush()
 
     def flush(self) -> None:

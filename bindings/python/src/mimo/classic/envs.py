@@ -157,6 +157,7 @@ class MIMoDummyEnv(MIMoEnv):
             "touch_params": DEFAULT_TOUCH_PARAMS,
             "vision_params": DEFAULT_VISION_PARAMS,
             "vestibular_params": DEFAULT_VESTIBULAR_PARAMS,
+            "goals_in_observation": False,
         }
         super().__init__(model_path, **{**standard, **arguments})
 
