@@ -64,7 +64,7 @@ def shown(session: nox.Session) -> None:
 def learning(session: nox.Session) -> None:
     """Stable-Baselines3, and the same algorithms compiled by JAX (sbx)."""
     install_learner(session, "train", "train", "train-alone")
-    check(session, "sb3", guides="learning")
+    check(session, "sb3", "tutorials", guides="learning")
 
 
 @nox.session

@@ -18,7 +18,7 @@ endif()
 set(articles abi benchmark bindings coming-from-mimo differences engines learning platforms python robustness state-format tasks vision zoo)
 list(TRANSFORM articles REPLACE ".+" "docs/\\0.md")
 install(FILES ${articles} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents)
-install(DIRECTORY docs/guide docs/adr DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents
+install(DIRECTORY docs/guide docs/adr docs/tutorials DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents
         FILES_MATCHING PATTERN *.md)
 install(DIRECTORY docs/data DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.csv)
 install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)

@@ -1,16 +1,15 @@
 """Checks of sources and documents: the hooks of .pre-commit-config.yaml, and those that need all files at once."""
 
-import shutil
 from concurrent.futures import ThreadPoolExecutor
 
 from .interface import interface
 from .need import need
 from .pins import environment
-from .shell import BUILD, CORES, ROOT, Failure, changed_sources, copy, fail, run, run_quietly, sources, start, try_run
+from .shell import BUILD, CORES, Failure, changed_sources, fail, run, run_quietly, sources, try_run
+from .site import make_site
 
 TIDY = ("src/*.cpp", "tests/unit/*.cpp", "tests/golden/*.cpp", "tests/capi/*.c")
 FORMATTED = ("*.c", "*.cpp", "*.h", "*.hpp", ":!tests/abi/frozen")  # headers of old versions stay as they were
-PAGES = BUILD / "docs/html"
 
 
 def check_hooks(files):
@@ -33,25 +32,6 @@ def check_tidy(files):
         fail("\n".join(found))
 
 
-def make_pages():
-    """Makes the pages, with the files that articles refer to."""
-    shutil.rmtree(PAGES, ignore_errors=True)
-    PAGES.mkdir(parents=True)
-    text = (ROOT / "docs/Doxyfile").read_text() + "WARN_AS_ERROR = FAIL_ON_WARNINGS\n"
-    if start(("doxygen", "-"), input=text).returncode != 0:
-        fail("doxygen found something")
-    shutil.copytree(ROOT / "examples", PAGES / "source/examples")
-    shutil.copytree(ROOT / "docs/data", PAGES / "source/docs/data")
-    copy([ROOT / "CITATION.cff", ROOT / "LICENSE"], PAGES / "source")
-    run("tests/readme/check_pages", PAGES)
-
-
-def docs():
-    need("docs")
-    make_pages()
-    print(f"The documentation is in {PAGES}/index.html")
-
-
 def format_sources():
     need("lint")
     run("clang-format", "-i", *sources(*FORMATTED))
@@ -65,7 +45,7 @@ def lint(quick, changed):
         "hooks": lambda: check_hooks(files()),
         "clang-tidy": lambda: check_tidy(files(*TIDY)),
         "interface": lambda: interface("--check"),
-        "pages": make_pages,
+        "pages": make_site,
     }
     if quick:
         del checks["clang-tidy"]

@@ -151,7 +151,8 @@ MIMO_API mimo_status mimo_recording_describe(const mimo_recording *recording, mi
 
 /**
  * How many rows a dataset has ("actions", "joints/position", "fields/hearing/ear_left"), and how long they are.
- * @param rows, row_bytes receive the sizes; either may be NULL.
+ * @param rows      receives their number; may be NULL.
+ * @param row_bytes receives the length of one; may be NULL.
  * Errors: MIMO_E_NOT_FOUND where the recording does not have it.
  */
 MIMO_API mimo_status mimo_recording_size(const mimo_recording *recording, const char *dataset, size_t *rows,
@@ -159,8 +160,9 @@ MIMO_API mimo_status mimo_recording_size(const mimo_recording *recording, const 
 
 /**
  * Reads rows of a dataset, as numbers of the type that they have in the file.
- * @param first, rows which; all of them must be there.
- * @param values      receives rows times row_bytes bytes.
+ * @param first  the first row.
+ * @param rows   how many; all of them must be there.
+ * @param values receives rows times row_bytes bytes.
  */
 MIMO_API mimo_status mimo_recording_read(const mimo_recording *recording, const char *dataset, size_t first,
                                          size_t rows, void *values, size_t value_bytes) MIMO_NOEXCEPT;
@@ -187,7 +189,7 @@ MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *en
  * Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had
  * changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit.
  * Between two calls the world may be looked at, not changed.
- * @param block, block_bytes, results as in mimo_env_step.
+ * @param block       as in mimo_env_step, and so are block_bytes and results.
  * Errors: MIMO_E_END behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
  *         MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
  */

@@ -3296,18 +3296,18 @@ extern "C" {
     ///
     /// Experimental.
     ///
-    /// * `rows`: receive the sizes; either may be NULL.
+    /// * `rows`: receives their number; may be NULL.
     ///
-    /// * `row_bytes`: receive the sizes; either may be NULL.
+    /// * `row_bytes`: receives the length of one; may be NULL.
     pub fn mimo_recording_size(recording: *const mimo_recording, dataset: *const c_char, rows: *mut usize, row_bytes: *mut usize) -> mimo_status;
 
     /// Reads rows of a dataset, as numbers of the type that they have in the file.
     ///
     /// Experimental.
     ///
-    /// * `first`: which; all of them must be there.
+    /// * `first`: the first row.
     ///
-    /// * `rows`: which; all of them must be there.
+    /// * `rows`: how many; all of them must be there.
     ///
     /// * `values`: receives rows times row_bytes bytes.
     pub fn mimo_recording_read(recording: *const mimo_recording, dataset: *const c_char, first: usize, rows: usize, values: *mut c_void, value_bytes: usize) -> mimo_status;
@@ -3343,11 +3343,7 @@ extern "C" {
     ///
     /// Experimental.
     ///
-    /// * `block`: as in mimo_env_step.
-    ///
-    /// * `block_bytes`: as in mimo_env_step.
-    ///
-    /// * `results`: as in mimo_env_step.
+    /// * `block`: as in mimo_env_step, and so are block_bytes and results.
     pub fn mimo_recording_step(recording: *mut mimo_recording, env: *mut mimo_env, block: *mut c_void, block_bytes: usize, results: *const mimo_env_results) -> mimo_status;
 
     /// Tells of the replay. Set report->struct_size first.
