@@ -324,7 +324,7 @@ WORDS = {
     "no eyes": (
         lambda w, b: w.observation["vision/eye_left"],
         KeyError,
-        "^no field 'vision/eye_left': nothing has vision",
+        "^no field 'vision/eye_left': vision is off here",
     ),
     "no field": (
         lambda w, b: b.observation["proprioception/postion"],

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Union
 from . import constants, conversions
 from ._library import abi_version, api_version, library_path, mujoco_version, supports, version
 from .access import Access
+from .arguments import meant
 from .batch import Batch
 from .constants import *  # noqa: F403
 from .conversions import *  # noqa: F403
@@ -72,7 +73,7 @@ def __getattr__(name: str) -> Any:
     # Modules are imported on demand, because some need extras.
     if not name.startswith("_") and importlib.util.find_spec(f"mimo.{name}") is not None:
         return importlib.import_module(f"mimo.{name}")
-    raise AttributeError(f"module 'mimo' has no attribute {name!r}")
+    raise AttributeError(f"module 'mimo' has no attribute {name!r}{meant(name, __all__)}")
 
 
 register_when_imported()

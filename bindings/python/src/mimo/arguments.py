@@ -55,9 +55,15 @@ def known_keywords(method: Method) -> Method:
 
 def unexpected(name: str, known: Iterable[str]) -> TypeError:
     """The error for an unknown keyword."""
-    near = difflib.get_close_matches(name, known, 1)
-    meant = f"; did you mean {near[0]!r}?" if near else "."
-    return TypeError(f"unexpected keyword argument {name!r}{meant} There are: {', '.join(known)}")
+    known = list(known)
+    return TypeError(f"unexpected keyword argument {name!r}{meant(name, known) or '.'} There are: {', '.join(known)}")
+
+
+def meant(name: str, known: Iterable[str]) -> str:
+    """A question for the known name that is like an unknown one, or contains it; nothing if there is none."""
+    known = list(known)
+    near = difflib.get_close_matches(name, known, 1) or [one for one in known if name and name in one.split("_")][:1]
+    return f"; did you mean {near[0]!r}?" if near else ""
 
 
 def real_number(name: str, value: Any) -> float:
@@ -79,8 +85,8 @@ def vector(name: str, value: Any, count: int) -> NDArray[np.float64]:
     raise ValueError(f"{name} is {value!r}, expected {count} numbers")
 
 
-def numbers_in(name: str, value: Any, shape: Tuple[int, ...], kind: Any = np.float32) -> NDArray[Any]:
-    """An array of exactly this shape; numpy would broadcast a single number."""
+def numbers_in(name: str, value: Any, shape: Tuple[int, ...], kind: Any = np.float32, what: str = "") -> NDArray[Any]:
+    """An array of exactly this shape; numpy would broadcast a single number. `what` tells what the numbers are."""
     if isinstance(value, np.ndarray) and value.dtype == kind and value.shape == shape:
         return value
     try:
@@ -90,7 +96,7 @@ def numbers_in(name: str, value: Any, shape: Tuple[int, ...], kind: Any = np.flo
     if given.dtype.kind not in "biuf":
         raise TypeError(f"{name}: expected numbers of the shape {shape}, not {described(value)}")
     if given.shape != shape:
-        raise ValueError(f"{name} of the shape {given.shape}, expected {shape}")
+        raise ValueError(f"{name} of the shape {given.shape}, expected {shape}" + (what and f": {what}"))
     return given.astype(kind)
 
 

@@ -384,7 +384,9 @@ class Batch(Access):
         if actions is None:
             return None
         shape = (self.world_count, len(self.action_names))
-        self._last.actions = np.ascontiguousarray(numbers_in("actions", actions, shape))
+        self._last.actions = np.ascontiguousarray(
+            numbers_in("actions", actions, shape, what="a row for each world, a number for each of action_names")
+        )
         return self._last.actions
 
     def _seeds(self, seeds: Seeds) -> Optional[NDArray[np.uint64]]:

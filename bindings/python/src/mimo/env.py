@@ -7,6 +7,7 @@ from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import gymnasium
 import numpy as np
+from gymnasium.error import ResetNeeded
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
@@ -86,6 +87,8 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
 
     def step(self, action: NDArray[np.float32]) -> Tuple[Any, float, bool, bool, Dict[str, Any]]:
         """Makes one step."""
+        if not self._seeded:
+            raise ResetNeeded("call reset() before step(): the first episode has not begun, and its task is not set up")
         world = self.world
         address, views = self._supply.take()  # a fresh block: arrays that were returned before stay
         world._step_at(address, world.layout.bytes, action)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import difflib
 import weakref
 from dataclasses import dataclass, replace
 from typing import Any, Callable, Dict, List, NamedTuple, Tuple
@@ -15,6 +14,7 @@ from . import _abi
 from ._handle import Native
 from ._library import LIB, check, from_struct, result, text, utf8
 from ._strict import Strict
+from .arguments import meant
 from .constants import FieldType, Receptor
 from .errors import ClosedError
 
@@ -51,10 +51,8 @@ class NoFieldError(KeyError):
 def _no_field(name: str, names: List[str]) -> str:
     sense = name.split("/")[-2] if "/" in name else ""
     if sense in SENSES and not any(f"{sense}/" in other for other in names):
-        return f"no field {name!r}: nothing has {sense} here, which is an option, {sense}=True"
-    near = difflib.get_close_matches(name, names, 1)
-    meant = f"did you mean {near[0]!r}? " if near else ""
-    return f"no field {name!r}; {meant}there are: {', '.join(names)}"
+        return f"no field {name!r}: {sense} is off here; make the world with {sense}=True"
+    return f"no field {name!r}{meant(name, names) or ';'} there are: {', '.join(names)}"
 
 
 @dataclass(frozen=True)

@@ -142,6 +142,7 @@ class Scene(Handle):
         model_dir: Optional[Union[str, "os.PathLike[str]"]] = None,
         **limits: Unpack[DocumentOptions],
     ) -> None:
+        refuse_unknown(limits, DocumentOptions, Scene.__init__)
         for start, given in (("name", name), ("file", file), ("xml", xml)):
             if given == "":
                 raise ValueError(f"{start} is '', expected a value, or no argument for an empty world")

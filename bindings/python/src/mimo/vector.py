@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple,
 
 import gymnasium.vector
 import numpy as np
+from gymnasium.error import ResetNeeded
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 from typing_extensions import Unpack
 
 from .ages import Age
-from .arguments import known_keywords, reset_options
+from .arguments import known_keywords, reset_options, whole_number
 from .batch import Batch
 from .constants import Autoreset, Outcome
 from .env import check_sole, with_task
@@ -80,6 +81,8 @@ class VectorEnv(VectorBase):
         **options: Unpack[EnvOptions],
     ) -> None:
         refuse_unknown(options, EnvOptions, VectorEnv.__init__)
+        if whole_number("num_envs", num_envs) < 1:
+            raise ValueError(f"num_envs is {num_envs}, expected 1 or more worlds")
         mode = getattr(autoreset_mode, "value", autoreset_mode)
         if mode not in MODES:
             raise ValueError(f"autoreset_mode is {mode!r}, expected one of {', '.join(MODES)}")
@@ -148,12 +151,20 @@ class VectorEnv(VectorBase):
 
     def step(self, actions: Any) -> Results:
         """Steps all worlds."""
+        self._need_reset()
         self.batch.step_into(self._blocks[1 - self._turn], actions)  # in one call, so that an interrupt loses nothing
         return self._results()
 
     def send(self, actions: Any) -> None:
         """Starts a step and returns at once; receive() returns its results."""
+        self._need_reset()
         self.batch.send(actions, self._blocks[1 - self._turn])
+
+    def _need_reset(self) -> None:
+        if not self._seeded:
+            raise ResetNeeded(
+                "call reset() before step(): the first episodes have not begun, and their task is not set up"
+            )
 
     def receive(self) -> Results:
         """Waits for the step in flight."""

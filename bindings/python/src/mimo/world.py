@@ -266,7 +266,7 @@ class World(Geometry):
         last.actions = None
         if action is None:
             return None, 0
-        self._action[...] = numbers_in("action", action, self._action.shape)
+        self._action[...] = numbers_in("action", action, self._action.shape, what="a number for each of action_names")
         last.actions = self._action
         return self._action_place
 
