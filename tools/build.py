@@ -8,19 +8,54 @@ from pathlib import Path
 
 from .need import need
 from .pins import PINS, download, fetch_package, unzip
-from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, run, run_quietly
+from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, run, say_and_do, try_run
 
+CMAKE = (3, 25)
+MEGABYTE = 1000 * 1000
+SPACE = 300 * MEGABYTE  # library, program and their parts, with a reserve
+NINJA = {"NINJA_STATUS": "[%f of %t, %es] "}
 PROGRAM = ("mimo", "mimo_program")  # the targets that users get
 BENCH = ("mimo", "mimo_bench_program")
 RATIOS = ("bench_render", "bench_touch", "bench_muscle", "bench_worlds", "bench_extras", "bench_making")
+DEMO = """The pictures are in {}. Open first:
+  outside.png           the infant, as you would see it
+  left.png, right.png   what its eyes see
+  touch.png             what its skin feels
+Next: ./dev test --quick     runs the tests
+      build/bin/mimo --help  what the program can do"""
 MUJOCO4 = BUILD / "mujoco4"  # headers and library of MuJoCo 4, in its folder mujoco
 IN_USE = MUJOCO4 / "in_use"  # exists while build/ has copies of what was built on it
 
 
 def cmake(preset, *targets):
     """Configures and builds targets, by default all, by a preset."""
-    run_quietly("cmake", "--preset", preset)
-    run("cmake", "--build", "--preset", preset, *(["--target", *targets] if targets else []))
+    check_cmake()
+    check_space()
+    configure(preset)
+    run("cmake", "--build", "--preset", preset, *(["--target", *targets] if targets else []), env=NINJA)
+
+
+def configure(preset):
+    """Makes the build files; where CMake misses libraries, its sentence that names them is the message."""
+    status, said = try_run("cmake", "--preset", preset)
+    if status != 0:
+        missing = re.search(r"libmimo needs .*?(?=\n\n|Call Stack|\Z)", said, re.DOTALL)
+        fail(" ".join(missing[0].split()) if missing else f"cmake --preset {preset} failed: {said}")
+
+
+def check_cmake():
+    """Presets need a CMake that knows them; one that does not says less."""
+    found = re.search(r"cmake version (\d+)\.(\d+)", try_run("cmake", "--version")[1])
+    if found and (int(found[1]), int(found[2])) < CMAKE:
+        fail(
+            f"CMake {found[1]}.{found[2]} is too old; please install {CMAKE[0]}.{CMAKE[1]} or newer: pip install cmake"
+        )
+
+
+def check_space():
+    free = shutil.disk_usage(ROOT).free
+    if free < SPACE:
+        fail(f"only {free // MEGABYTE} MB are free on the disk of {ROOT}; please make room for {SPACE // MEGABYTE} MB")
 
 
 def build(preset, *targets):
@@ -91,9 +126,13 @@ def leave_mujoco4():
 
 
 def demo(arguments):
-    build_program()
-    run(BUILD / "bin/mimo", "run", "--out", "demo", *(arguments or ["--scene", "benchmark", "--seconds", "10"]))
-    print(f"The pictures are in {ROOT}/demo")
+    options = arguments or ["--scene", "benchmark", "--seconds", "10"]
+    say_and_do(
+        ("Debian packages that are missing", "half a minute", lambda: need("build")),
+        ("compile the library and the program", "two and a half minutes on two cores", build_program),
+        ("simulate an infant and draw", "seconds", lambda: run(BUILD / "bin/mimo", "run", "--out", "demo", *options)),
+    )
+    print(DEMO.format(ROOT / "demo"))
 
 
 def bench(arguments):

@@ -2,7 +2,7 @@
 
 import xml.etree.ElementTree as ET
 
-from .build import leave_mujoco4
+from .build import NINJA, check_cmake, check_space, leave_mujoco4
 from .need import need
 from .shell import CORES, ROOT, run
 
@@ -25,9 +25,10 @@ def run_workflow(preset):
     need("build", "test")
     if preset == "release":
         leave_mujoco4()
-    print(f"Tests, {preset}")
+    check_cmake()
+    check_space()
     try:
-        run("cmake", "--workflow", "--preset", preset, env={"CTEST_PARALLEL_LEVEL": CORES})
+        run("cmake", "--workflow", "--preset", preset, env={"CTEST_PARALLEL_LEVEL": CORES, **NINJA})
     finally:
         print_slowest(preset)
 

@@ -1,10 +1,11 @@
 """What has to be installed: Debian packages, by what needs them."""
 
 import os
+import re
 import shutil
 import time
 
-from .shell import fail, must, try_run
+from .shell import fail, try_run
 
 PACKAGES = {
     "build": """g++ cmake ninja-build ccache pkgconf python3 libgtest-dev libmujoco-dev libeigen3-dev libpugixml-dev
@@ -42,11 +43,28 @@ def need(*groups):
         return None
     command = ["apt-get", "install", "--no-install-recommends", *missing]
     if os.geteuid() != 0:
-        fail(f"packages are missing; please run: sudo {' '.join(command)}")
-    print(f"Installing {' '.join(missing)}")
-    update()
+        fail(f"packages are missing; please run: sudo apt-get update && sudo {' '.join(command)}")
+    print(f"Installing {' '.join(missing)}, and what they need")
+    said = update()
     quietly = ("-y", "-qq", "-o", f"DPkg::Lock::Timeout={PATIENCE}")
-    return must(f"failed: {' '.join(command)}", *command, *quietly, env={"DEBIAN_FRONTEND": "noninteractive"})
+    status, more = try_run(*command, *quietly, env={"DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C"})
+    return fail(explain(f"{said}\n{more}", command)) if status else None
+
+
+def explain(said, command):
+    """What to do about an apt that failed, in a sentence."""
+    lines = said.strip().splitlines() or ["it says nothing"]
+    reason = next((line for line in lines if line.startswith("E: ")), lines[-1])
+    if re.search("Failed to fetch|Temporary failure|Could not (resolve|connect)", said):
+        return f"packages cannot be fetched; please check the network, or that of apt's mirror ({reason})"
+    if lacking := re.search(r"Unable to locate package (\S+)", said):
+        return (
+            f"this system's apt has no {lacking[1]}: ./dev installs packages on Debian 12 only; elsewhere please "
+            "build as CONTRIBUTING.md says, with mujoco_ROOT set to the folder of a MuJoCo 2.2"
+        )
+    if "enough free space" in said or "No space left" in said:
+        return f"the disk is too full for the packages; please make room for 700 MB ({reason})"
+    return f"please see why this fails, and run ./dev again: {' '.join(command)} ({reason})"
 
 
 def not_installed(packages):
@@ -56,10 +74,11 @@ def not_installed(packages):
 
 
 def update():
-    """Renews apt's lists. Unlike apt-get install, apt-get update does not wait for another apt by itself."""
+    """Renews apt's lists; returns what apt said. Unlike apt-get install, apt-get update waits for no other apt."""
     end = time.monotonic() + PATIENCE
     command = ("apt-get", "update", "-qq", "-o", f"DPkg::Lock::Timeout={PATIENCE}")
     while (done := try_run(*command, env={"LC_ALL": "C"}))[0] != 0:
         if "Could not get lock" not in done[1] or time.monotonic() > end:
-            fail(f"apt-get update failed: {done[1]}")
+            fail(explain(done[1], command))
         time.sleep(1)
+    return done[1]

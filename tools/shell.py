@@ -6,6 +6,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -20,6 +21,15 @@ class Failure(Exception):
 
 def fail(message):
     raise Failure(message)
+
+
+def say_and_do(*steps):
+    """Does steps one after another: what each does, how long that usually takes, and the function."""
+    for number, (what, usually, do) in enumerate(steps, 1):
+        print(f"==== {number} of {len(steps)}: {what} (usually {usually})")
+        begun = time.monotonic()
+        do()
+        print(f"==== {number} of {len(steps)} done in {time.monotonic() - begun:.0f} s")
 
 
 def start(command, env=None, cwd=ROOT, **options):

@@ -1,12 +1,13 @@
 """The parts of ./dev test, and how they are run after each other."""
 
+import json
 import os
 import time
 import traceback
 
 from .build import build, prepare_mujoco4, use_mujoco
 from .csharp import test_csharp
-from .ctest import failed_tests, run_workflow
+from .ctest import cases, failed_tests, run_workflow
 from .elsewhere import test_arm, test_linux
 from .octave import test_octave
 from .packages import test_package, test_release
@@ -71,12 +72,40 @@ PARTS = {
     "release": (test_release, "packages for all systems, each tried in an empty place"),
 }
 PRESETS = {"quick": "release", "avx": "release"}  # of parts whose name is another
+# Minutes on two cores that do nothing else, what has to be built included. What a part took here replaces them.
+USUALLY = {
+    "quick": 7,
+    "python": 5,
+    "rust": 1,
+    "csharp": 1,
+    "octave": 1,
+    "same": 1,
+    "package": 3,
+    "asan": 8,
+    "mujoco4": 8,
+    "linux": 10,
+    "arm": 9,
+    "windows": 9,
+}
+TOOK = BUILD / "took.json"  # seconds of each part when it passed last
+
+
+def minutes(name, took):
+    """How long a part takes, in minutes; 0: nobody knows."""
+    return max(1, round(took[name] / 60)) if name in took else USUALLY.get(name, 0)
+
+
+def announce(names, took):
+    """Says what will be run, and how long it takes."""
+    print(f"Tests to run: {' '.join(f'--{name}' for name in names)}")
+    for name in names:
+        print(f"{name:12}{minutes(name, took) or '?':>4} min  {PARTS[name][1]}")
+    print(f"Together about {sum(minutes(name, took) for name in names)} minutes")
 
 
 def run_part(name):
     """Runs a part; returns whether it passed."""
-    test, about = PARTS[name]
-    print(f"==== {name}: {about}")
+    test = PARTS[name][0]
     try:
         use_mujoco()
         test()
@@ -93,13 +122,20 @@ def run_part(name):
 def run_tests(names):
     """Runs parts, the usual ones or these, whatever fails, and prints a table of what became of them."""
     names = list(dict.fromkeys(names or USUAL))
-    print(f"Tests to run: {' '.join(f'--{name}' for name in names)}")
-    table, failed = [f"{'part':12}{'result':8}{'seconds':>9}"], []
-    for name in names:
+    took = json.loads(TOOK.read_text()) if TOOK.is_file() else {}
+    announce(names, took)
+    table, failed = [f"{'part':12}{'result':8}{'seconds':>9}{'tests':>8}"], []
+    for number, name in enumerate(names, 1):
+        print(f"==== {number} of {len(names)}: {name}, {PARTS[name][1]}, about {minutes(name, took) or '?'} min")
         start = time.monotonic()
-        if not run_part(name):
+        if run_part(name):
+            took[name] = round(time.monotonic() - start)
+            TOOK.parent.mkdir(exist_ok=True)
+            TOOK.write_text(json.dumps(took))
+        else:
             failed.append(name)
-        table.append(f"{name:12}{'FAILED' if name in failed else 'passed':8}{time.monotonic() - start:9.0f}")
+        result, count = "FAILED" if name in failed else "passed", len(cases(PRESETS.get(name, name))) or ""
+        table.append(f"{name:12}{result:8}{time.monotonic() - start:9.0f}{count:>8}")
     print("\n".join(table))
     if failed:
         fail(f"tests failed; again with: ./dev test {' '.join(f'--{name}' for name in failed)}")

@@ -52,6 +52,18 @@ class Dev(unittest.TestCase):
             done.stderr.strip().splitlines()[-1], "dev: tests failed; again with: ./dev test " + " ".join(PARTS)
         )
 
+    def test_the_tests_say_first_what_they_run_and_how_long_it_takes(self):
+        self.stub("cmake", "exit 0")
+        lines = self.dev("test", "--tsan", "--quick").stdout.splitlines()
+        self.assertEqual(lines[0], "Tests to run: --tsan --quick")
+        self.assertRegex(lines[1], r"^tsan +\? min  what uses threads")
+        self.assertRegex(lines[2], r"^quick +\d+ min  the library and the program$")
+        self.assertRegex(lines[3], r"^Together about \d+ minutes$")
+        self.assertRegex(lines[4], r"^==== 1 of 2: tsan, .*, about \? min$")
+        self.assertRegex("\n".join(lines), r"\n==== 2 of 2: quick, ")
+        again = self.dev("test", "--tsan").stdout.splitlines()
+        self.assertRegex(again[1], r"^tsan +1 min ")  # what it took here
+
     def test_only_what_failed_is_named(self):
         self.stub("cmake", "[[ $* != *asan* ]]")
         done = self.dev("test", "--quick", "--asan")
@@ -84,7 +96,7 @@ class Dev(unittest.TestCase):
         self.stub("cmake", "exit 0")
         self.assertEqual(self.dev("build", "--windows").returncode, 0)
         self.assertEqual(
-            self.calls("cmake"), ["--preset windows", "--build --preset windows --target mimo mimo_program"]
+            self.calls("cmake")[1:], ["--preset windows", "--build --preset windows --target mimo mimo_program"]
         )
 
     def test_an_unknown_platform_is_named(self):
@@ -141,15 +153,48 @@ class Dev(unittest.TestCase):
         for part in PARTS:
             self.assertRegex(self.dev("test", "--help").stdout, rf"\n +{part} +\w")
 
+    def refused(self, sentence, *arguments):
+        """A command fails with one line, and says all of this sentence."""
+        done = self.dev(*arguments)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        self.assertIn(sentence, done.stderr)
+
+    def test_an_old_cmake_is_refused_in_a_sentence(self):
+        self.stub("cmake", 'echo "cmake version 3.22.1"')
+        for command in ("demo", "build"):
+            self.refused("CMake 3.22 is too old; please install 3.25 or newer", command)
+
+    def test_libraries_that_cmake_misses_are_named_in_a_sentence(self):
+        said = "CMake Error at cmake/M.cmake:74 (message):\n  libmimo needs pugixml, fmt.\n\n  On Debian: apt-get\n"
+        script = f"[[ $1 == --version ]] && echo 'cmake version 3.25.1' && exit\nprintf '{said}' >&2; exit 1"
+        self.stub("cmake", script.replace("\n\n", "\n"))
+        self.refused("dev: libmimo needs pugixml, fmt.", "build")
+
+    def test_a_full_disk_is_refused_before_compiling(self):
+        self.stub("cmake", "exit 0")
+        file = self.clone / "tools/build.py"
+        file.write_text(file.read_text().replace("SPACE = 300 *", "SPACE = 10**12 *"))
+        self.refused(f"MB are free on the disk of {self.clone}; please make room", "build")
+
+    def test_without_root_the_command_is_named(self):
+        file = self.clone / "tools/need.py"
+        file.write_text(file.read_text().replace("os.geteuid()", "1000"))
+        self.stub("dpkg-query", "exit 1")
+        self.stub("apt-get", "exit 1")
+        self.refused("packages are missing; please run: sudo apt-get update && sudo apt-get install", "demo")
+
     def test_arguments_are_handed_on(self):
         self.stub("cmake", "exit 0")
         program = self.clone / "build/bin/mimo"
         program.parent.mkdir(parents=True)
         program.write_text('#!/bin/bash\necho "$@"\n')
         program.chmod(0o755)
-        self.assertIn(
-            "run --out demo --seconds 0.05 --seed 3\n", self.dev("demo", "--seconds", "0.05", "--seed", "3").stdout
-        )
+        said = self.dev("demo", "--seconds", "0.05", "--seed", "3").stdout
+        self.assertIn("run --out demo --seconds 0.05 --seed 3\n", said)
+        for step in ("1 of 3: Debian packages", "2 of 3: compile", "3 of 3: simulate"):
+            self.assertRegex(said, rf"\n?==== {step}.* \(usually [a-z]")
+        self.assertRegex(said, r"The pictures are in .*/demo\. Open first:\n +outside.png ")
 
     @unittest.skipIf(os.geteuid() != 0, "only root installs packages")
     def test_another_apt_is_waited_for(self):
@@ -168,13 +213,41 @@ class Dev(unittest.TestCase):
         self.assertEqual(update, again)
         self.assertIn("DPkg::Lock::Timeout=", install)
 
-    @unittest.skipIf(os.geteuid() != 0, "only root installs packages")
-    def test_an_apt_that_fails_is_quoted(self):
+    def test_an_apt_that_fails_says_what_to_do(self):
+        file = self.clone / "tools/need.py"
+        file.write_text(file.read_text().replace("os.geteuid()", "0"))
         self.stub("dpkg-query", "exit 1")
-        self.stub("apt-get", "echo 'E: no network' >&2\nexit 100")
-        done = self.dev("build")
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("E: no network", done.stderr)
+        for said, sentence in (
+            ("W: Failed to fetch http://deb.debian.org/x  Temporary failure", "please check the network"),
+            (
+                "E: Unable to locate package libmujoco-dev",
+                "apt has no libmujoco-dev: ./dev installs packages on Debian",
+            ),
+            ("E: You don't have enough free space in /var/cache/apt/archives/.", "please make room for 700 MB"),
+            ("E: Broken packages", "(E: Broken packages)"),
+        ):
+            self.stub("apt-get", f'echo "{said}" >&2\n[[ $1 == update ]] || exit 100')
+            self.refused(sentence, "build")
+
+    def test_a_system_without_apt_is_told_what_to_install(self):
+        programs = Path(self.temporary.name) / "few"
+        programs.mkdir()
+        for program in ("bash", "dirname", "python3", "env"):
+            (programs / program).symlink_to(shutil.which(program))
+        path = {**os.environ, "PATH": str(programs)}
+        done = subprocess.run([self.clone / "dev", "build"], capture_output=True, text=True, env=path)
+        self.assertEqual((done.returncode, done.stderr), (1, "dev: please install: c++ cmake ninja\n"))
+
+    def test_an_old_python_is_told_so(self):
+        script = (
+            (self.clone / "dev")
+            .read_text()
+            .replace("/usr/bin/python3 python3", "python3")
+            .replace("$EUID == 0", "1 == 0")
+        )
+        (self.clone / "dev").write_text(script)
+        self.stub("python3", "exit 1")  # as python3.8 -c 'import tomllib'
+        self.refused("please install Python 3.11 or newer", "demo")
 
 
 if __name__ == "__main__":
