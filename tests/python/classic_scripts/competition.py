@@ -40,7 +40,7 @@ def main():
     with open(args.config) as f:
         config = yaml.safe_load(f)
     env = Wrapper(bb_utils.make_env(config))
-    obs, _ = env.reset()
+    env.reset()
     rewards = []
     for _ in range(args.train_for):
         _, reward, terminated, truncated, info = env.step(env.action_space.sample())

@@ -14,7 +14,7 @@ from ..selections import Joints
 from ..world import World
 from .document import Document
 from .live import Stage
-from .scenes import JOINTS_OF_ROOT
+from .scenes import CHEST, JOINTS_OF_ROOT, UPPER_BODY
 
 Numbers = NDArray[Any]
 Name = Union[int, str, Sequence[int]]
@@ -58,22 +58,28 @@ class Catalog:
     def number(self, kind: Kind, name: Name) -> int:
         """The number of an element, by its name or number (or an array with that number)."""
         if isinstance(name, str):
-            return self.world.find(kind, self._known_name(name) if kind == Kind.JOINT else name)
+            return self.world.find(kind, self.known_name(kind, name))
         number = int(np.asarray(name).item())
         if not 0 <= number < self.count(kind):
             raise IndexError(f"{kind.name.lower()} is {number!r}, expected 0 to {self.count(kind) - 1}")
         return number
 
-    def _known_name(self, joint: str) -> str:
-        """The name of a joint here: the root's has one in the original's documents, and another in ours."""
-        names = self.names(Kind.JOINT)
-        if joint in JOINTS_OF_ROOT and joint not in names:
-            return next((name for name in JOINTS_OF_ROOT if name in names), joint)
-        return joint
+    def known_name(self, kind: Kind, name: str) -> str:
+        """The name of an element here, where the original calls it otherwise: the root's joint, the chest."""
+        same = {Kind.JOINT: JOINTS_OF_ROOT, Kind.BODY: (CHEST, UPPER_BODY)}.get(kind, ())
+        if name in same and name not in self.names(kind):
+            return next((other for other in same if other in self.names(kind)), name)
+        return name
 
     def bodies_of(self, kind: Kind) -> Numbers:
         """The body of each element; of a body its parent."""
         return self.all_of(kind).body_ids
+
+    def still_bodies(self) -> NDArray[np.bool_]:
+        """Whether each body stands on the world without joints, so that it can be placed."""
+        bodies = np.arange(self.count(Kind.BODY))
+        moved = np.isin(bodies, self.bodies_of(Kind.JOINT))
+        return np.asarray((self.bodies_of(Kind.BODY) == 0) & ~moved & (bodies > 0))
 
     def read(self, kind: Kind, quantity: Quantity, now: bool = False) -> Numbers:
         """A quantity of all elements."""
@@ -81,6 +87,8 @@ class Catalog:
 
     def write(self, kind: Kind, quantity: Quantity, values: Numbers, before: Numbers) -> None:
         """Writes the rows that have changed."""
+        if not len(values):
+            return
         changed = np.flatnonzero((values != before).reshape(len(values), -1).any(axis=1))
         self.write_to(kind, quantity, changed, values[changed])
 

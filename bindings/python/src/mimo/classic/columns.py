@@ -65,23 +65,16 @@ def _choice(rows: str, name: str, words: Any, standard: str) -> Column:
 # ---- Bodies and shapes -------------------------------------------------------------------------------------------
 
 
-def _still(it: Catalog) -> NDArray[np.bool_]:
-    """Bodies that stand on the world without joints, which can be placed."""
-    bodies = np.arange(it.count(Kind.BODY))
-    moved = np.isin(bodies, it.bodies_of(Kind.JOINT))
-    return (it.bodies_of(Kind.BODY) == 0) & ~moved & (bodies > 0)
-
-
 def _place(quantity: Quantity, attribute: Callable[[Catalog, Row], Any]) -> Column:
     """Where a body stands on its parent: of a body that stands on the world, where it is."""
 
     def read(it: Catalog) -> Numbers:
         stated = np.array([attribute(it, row) for row in it.document.bodies])
-        return np.where(_still(it)[:, None], it.read(Kind.BODY, quantity, now=True), stated)
+        return np.where(it.still_bodies()[:, None], it.read(Kind.BODY, quantity, now=True), stated)
 
     def write(it: Catalog, new: Numbers, old: Numbers) -> None:
         for body in np.flatnonzero((new != old).any(axis=1)):
-            if not _still(it)[body]:
+            if not it.still_bodies()[body]:
                 name = it.world.name(Kind.BODY, int(body))
                 raise ValueError(
                     f"the place of {name!r} on its parent is a constant here: move it with data.joint(...).qpos, or "

@@ -107,8 +107,8 @@ def mj_name2id(model: Any, type: Any, name: str) -> int:
     """The number of an element, -1 if there is none of that name."""
     kind = _kind(type)
     names = model.names_of(kind)
-    if kind == "joint":
-        name = model._it._known_name(name)
+    if kind in KINDS:
+        name = model._it.known_name(KINDS[kind][0], name)
     return names.index(name) if name in names else -1
 
 

@@ -23,6 +23,7 @@ from .live import PAGE, Stage
 from .model import DataView, ModelView
 from .params import Params, senses_of
 from .pictures import MODES, Renderer
+from .plain import PlainWorld
 from .scenes import age_of, split, start_of
 from .senses import Observer
 from .sensors import SimpleProprioception, SimpleVestibular, SimpleVision
@@ -40,6 +41,8 @@ EMOTES = {
     "disgusted": "disgust",
     "scared": "fear",
 }
+# Methods of the original and of Gymnasium that nothing calls here.
+_NEVER_CALLED = ("_initialize_simulation", "_get_joints", "_get_actuators", "_get_facial_expressions", "_viewer_setup")
 # Methods that a derived class can have called in each physics step.
 _EACH_STEP = ("do_simulation", "_single_mujoco_step", "_substep_callback", "_set_action")
 
@@ -99,6 +102,9 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         kind = model_of(actuation_model)
         own = type(self)
         self.moves_by_hand = is_own(kind)
+        for name in _NEVER_CALLED:
+            if hasattr(own, name):
+                warnings.warn(f"{own.__name__}.{name} is never called here; {PAGE}", stacklevel=2)
         self._by_hand = self.moves_by_hand or any(getattr(own, it) is not getattr(MIMoEnv, it) for it in _EACH_STEP)
         felt = touch_params
         if touch_params is not None and own.touch_setup is not MIMoEnv.touch_setup:
@@ -114,9 +120,11 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.sensory_delay, self.motor_delay = sensory_delay, motor_delay
         self._late_seen: Any = deque()
         self._late_actions: Any = deque()
-        self.scene, self._late_pose = start_of(model_path, infant, senses, initial_qpos or {}, parameters or {})
-        self.fullpath = self.scene.source
-        self.world = World(self.scene, frame_skip=1 if self._by_hand else frame_skip, **simulated)
+        given = (model_path, infant, senses, initial_qpos or {}, parameters or {})
+        self.scene, self._late_pose, file = start_of(*given, drawn=render_mode is not None)
+        self.fullpath = file or self.scene.source
+        simulated["frame_skip"] = 1 if self._by_hand else frame_skip
+        self.world = PlainWorld(self.scene, file, **simulated) if file else World(self.scene, **simulated)
         self.stage = Stage(self.world)
         self.model = ModelView(self.stage)
         self.data = DataView(self.model._it)
@@ -127,6 +135,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         self.observer = Observer(self.world, senses, self.torque_sensors, self.extra_fields)
         self.facial_expressions = {name: number for number, name in enumerate(EMOTES)}
         self._next_action: Any = None
+        self._senses_due = False
         self._seeded = False
         self.actuation_model: Any = kind(self, self.mimo_actuators)
         self._set_action_space()
@@ -241,10 +250,12 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
             self.advance(self._delayed(action))
             return
         self._set_action(action)
-        for _ in range(n_frames):
+        for left in reversed(range(n_frames)):
             self.actuation_model.substep_update()
+            self._senses_due = left == 0 and self.world.frame_skip == 1
             self._single_mujoco_step()
             self._substep_callback()
+        self._senses_due = False
 
     def advance(self, action: ArrayLike) -> None:
         """One step of the library's: all of its physics steps, senses and task."""
@@ -270,7 +281,9 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         action, self._next_action = self._next_action, None
         if action is not None and not np.any(action) and self.world.time == 0:
             action = None  # the actuation rests already
-        if action is None:
+        if self._senses_due and count == 1:  # they see what a step's senses see: the start of this physics step
+            self.world.step(None if action is None else np.asarray(action, np.float32))
+        elif action is None:
             self.world.physics_step(count)
         elif self.world.frame_skip == 1:
             self.world.step_into(None, np.asarray(action, np.float32))
@@ -280,7 +293,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
                 f"_set_action with {type(self.actuation_model).__name__}, then single physics steps, needs frame_skip=1"
                 f" or a derived class with its own do_simulation; {PAGE}"
             )
-        self.stage.moved()
+        self.stage.moved(observed=self._senses_due)
 
     def _delayed(self, action: ArrayLike) -> Any:
         return action if self.motor_delay <= 0 else _late(self._late_actions, np.array(action), self.motor_delay)

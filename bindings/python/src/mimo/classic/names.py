@@ -14,7 +14,7 @@ SENSORS = ("mimo.classic.sensors",)
 GROWTH = ("mimo.classic.growth",)
 KIT = ("mimo.babybench",)
 
-_ENVS = ("reach", "standup", "selfbody", "catch", "dummy", "roll_over")
+_ENVS = ("reach", "standup", "selfbody", "catch", "dummy", "roll_over", "mimo_muscle_env")
 # The names of original modules, each with the modules of this package that have its names.
 MODULES: Dict[str, Tuple[str, ...]] = {
     "mimoEnv": CLASSIC,
@@ -68,6 +68,7 @@ ROOTS = tuple(sorted({name.partition(".")[0] for name in MODULES}))
 VERSIONS: Mapping[str, str] = {"mimo_infant": "3.0.0"}
 UTILS_NAME = "mimoEnv.utils"
 RENAMED: Mapping[str, str] = {"mimo_utils": "utils"}  # names of modules that are modules here under another name
+EARLIER: Mapping[str, str] = {"MIMoV2DemoEnv": "MIMoV2DummyEnv"}  # names of earlier releases
 ENGINE = "mujoco"  # its functions take our models, too
 VIEWER = "mujoco.viewer"
 OLD_GYM = "gym"
@@ -98,6 +99,7 @@ def ours(name: str, member: str) -> Any:
     """A member of one of these modules; AttributeError if it has none."""
     import importlib
 
+    member = EARLIER.get(member, member)
     for module in MODULES[name]:
         found = importlib.import_module(module)
         if hasattr(found, member):

@@ -34,6 +34,8 @@ FILES: Mapping[str, Tuple[str, str]] = {
     "babybench_base.xml": ("babybench-base", "mitten"),
 }
 ASSETS = {"mimoEnv": ("mimoEnv", "assets"), "mimo_infant": ("mimo_infant", "simulation", "assets")}
+CHEST, UPPER_BODY = "chest", "upper_body"  # the first is a body of its own since version 3, here part of the second
+LARGE = 4_000_000  # pixels of a scene that take a noticeable time to read
 TAKEN = {"proprioception", "vestibular", "vision", "touch", "actuation", "limit_threshold", "frame_skip"}
 
 
@@ -81,6 +83,7 @@ class Start(NamedTuple):
 
     scene: Scene
     late: Dict[str, Numbers]
+    file: str  # the document whose pictures the scene lacks; "": it has them
 
 
 def scene_of(
@@ -100,9 +103,12 @@ def start_of(
     senses: Senses,
     pose: Mapping[str, ArrayLike],
     parameters: Mapping[str, float],
+    drawn: bool = True,
 ) -> Start:
-    """The same, and what its worlds begin with."""
+    """The same, and what its worlds begin with. Unless anything is `drawn`, pictures of files are left out."""
     scene, body = opened(model_path)
+    plain = None if drawn or senses.cameras or not scene._start["file"] else without_pictures(scene)
+    file, scene = ("", scene) if plain is None else (scene.source, plain)
     late = {joint: np.atleast_1d(np.asarray(value, np.float64)) for joint, value in pose.items()}
     root = _root_in(late) if body != "scene" else {}
     if body == "scene":
@@ -112,7 +118,8 @@ def start_of(
     if senses.spacings is not None:
         scene.set_touch(None, 0.0)
         for name, metres in senses.spacings.items():
-            scene.set_touch(name, metres)
+            if name != CHEST or _has_chest(scene):
+                scene.set_touch(name, metres)
     for name, eye in senses.cameras.items():
         scene.add_camera(name, width=eye.width, height=eye.height, fovy=eye.fovy)
         if eye.acuity:
@@ -123,7 +130,34 @@ def start_of(
             del late[joint]
     for name, value in parameters.items():
         scene.parameters[name] = value
-    return Start(scene, late)
+    return Start(scene, late, file)
+
+
+def without_pictures(scene: Scene) -> Optional[Scene]:
+    """The scene without its textures, None if the pictures in their files are small."""
+    root = ET.fromstring(scene.xml)
+    files = [path for it in root.iter("texture") for name, path in it.attrib.items() if name.startswith("file")]
+    if sum(map(_pixels, files)) < LARGE:
+        return None
+    for assets in root.findall("asset"):
+        for texture in assets.findall("texture"):
+            assets.remove(texture)
+    for material in root.iter("material"):
+        material.attrib.pop("texture", None)
+        for layer in material.findall("layer"):
+            material.remove(layer)
+    return Scene(xml=ET.tostring(root, encoding="unicode"))
+
+
+def _pixels(file: str) -> int:
+    """The size of a picture: of a PNG as its head tells it, of others by their bytes; 0 of the library's own."""
+    if not os.path.isfile(file):
+        return 0
+    with open(file, "rb") as picture:
+        head = picture.read(24)
+    if head.startswith(b"\x89PNG"):
+        return int.from_bytes(head[16:20], "big") * int.from_bytes(head[20:24], "big")
+    return os.path.getsize(file)
 
 
 def _root_in(pose: Dict[str, Numbers]) -> Dict[str, Any]:
@@ -150,6 +184,10 @@ def opened(model_path: Any) -> Tuple[Scene, str]:
     if name in FILES:
         return Scene(FILES[name][0]), FILES[name][1]
     raise FileNotFoundError(f"model_path is {path!r}, expected an MJCF file or one of {', '.join(scenes())}")
+
+
+def _has_chest(scene: Scene) -> bool:
+    return ET.fromstring(scene.xml).find(f".//body[@name='{CHEST}']") is not None
 
 
 def _body_in(scene: Scene) -> str:
