@@ -1,4 +1,4 @@
-"""Worlds without the pictures of their document, which take long to read and which nothing sees until a script draws."""
+"""Worlds without the pictures of their document, which nothing sees until a script draws and which are slow to read."""
 
 from __future__ import annotations
 
