@@ -61,6 +61,10 @@ def test_an_environment_of_ones_own_on_a_scene_beside_the_script(folder):
     assert told[1] == "rewards True achieved below True gravity -9.81"
 
 
+def test_a_touch_of_ones_own(folder):
+    assert run(folder, "itch_touch.py") == ["touch (5685,) (5685,) 1", "hurts True felt True"]
+
+
 def test_poses_locks_and_forces_of_contacts(folder):
     told = run(folder, "paper_contacts.py")
     push, weight = map(float, re.match(r"push ([\d.]+) weight ([\d.]+)", told[0]).groups())

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._strict import reading
+from ..selections import Contacts
 from ..world import World
 from .live import PAGE
 
@@ -47,6 +48,10 @@ class ContactView:
         geoms = of.geoms[number]
         place, frame = of.position[number], of.frame[number].ravel()
         return Contact(int(geoms[0]), int(geoms[1]), place, float(of.distance[number]), frame, geoms)
+
+    def arrays(self) -> Contacts:
+        """The library's arrays of all contacts."""
+        return self._of
 
     def force(self, index: int) -> Numbers:
         """Force and torque on geom 2 in the contact's frame, N and Nm."""

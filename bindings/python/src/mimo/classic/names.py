@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterable, List, Mapping, Tuple
 CLASSIC = ("mimo.classic",)
 UTILS = ("mimo.classic.utils",)
 ACTUATION = ("mimo.classic.actuation",)
-TOUCH = ("mimo.classic.skin",)
+TOUCH = ("mimo.classic.touch",)
 SENSORS = ("mimo.classic.sensors",)
 GROWTH = ("mimo.classic.growth",)
 KIT = ("mimo.babybench",)

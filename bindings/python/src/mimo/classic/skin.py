@@ -47,6 +47,7 @@ class Touch:
     def belongs_to(self, env: Any) -> None:
         """Takes the environment that `get_touch_obs` observes."""
         self.env, self.touch_params = env, env.touch_params
+        self._in_python: Any = None
 
     def get_touch_obs(self) -> NDArray[np.float32]:
         """The forces of all sensors in the current state: N x 3, N; of bodies in the order of their numbers."""
@@ -79,3 +80,13 @@ class Touch:
     def sensing_bodies(self) -> List[int]:
         """Numbers of the bodies with sensors."""
         return list(self.sensor_positions)
+
+    def __getattr__(self, name: str) -> Any:
+        """Members of the original's class that this one lacks: contacts, forces, meshes."""
+        if name.startswith("_") or name == "env":
+            raise AttributeError(name)
+        if self._in_python is None:
+            from .touch import TrimeshTouch
+
+            self._in_python = TrimeshTouch(self.env, self.touch_params)
+        return getattr(self._in_python, name)
