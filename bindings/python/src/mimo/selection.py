@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, List, Optional, Tuple, TypeVar, Union, overload
 
 import numpy as np
@@ -21,6 +22,7 @@ Mask = Optional[NDArray[np.bool_]]
 SHOWN = 8  # names in a selection's repr
 
 
+@lru_cache(maxsize=None)
 def kind_of(quantity: Quantity) -> Kind:
     """The kind that a quantity's name begins with."""
     return max((kind for kind in Kind if quantity.name.startswith(kind.name)), key=lambda kind: len(kind.name))

@@ -26,7 +26,18 @@ class ActuationModel:
 
     def __init__(self, env: Any = None, actuators: Any = ()) -> None:
         self.env, self.actuators = env, np.asarray(actuators)
-        self.control_input: Any = None
+        self._given: Any = None  # the last action
+
+    @property
+    def control_input(self) -> Any:
+        """The last action, within its bounds; None before the action space is made."""
+        if self._given is None or np.shape(self._given) != np.shape(self.env.world.action_low):
+            return self._given
+        return self._clipped(self._given)
+
+    @control_input.setter
+    def control_input(self, action: Any) -> None:
+        self._given = None if action is None else np.array(action, np.float64)
 
     @property
     def n_actuators(self) -> int:
@@ -67,8 +78,9 @@ class ActuationModel:
         raise NotImplementedError
 
     def _clipped(self, action: ArrayLike) -> Numbers:
-        space = self.env.action_space
-        return np.clip(np.asarray(action, np.float64), space.low, space.high)
+        space = getattr(self.env, "action_space", None)
+        values = np.array(action, np.float64)
+        return values if space is None else np.clip(values, space.low, space.high)
 
 
 class SpringDamperModel(ActuationModel):
@@ -136,7 +148,7 @@ class MuscleModel(ActuationModel):
 
     def action(self, action: ArrayLike) -> None:
         """Sets the muscles' targets, for the next physics step."""
-        self.control_input = self.target_activity = self._clipped(action)
+        self.control_input = self._clipped(action)
         self.env.act_next(self.control_input)
 
     def cost(self) -> float:
@@ -146,9 +158,14 @@ class MuscleModel(ActuationModel):
 
     def reset(self) -> None:
         """Relaxes the muscles, as a reset of the environment does."""
-        self.control_input = self.target_activity = np.zeros(2 * self.n_actuators)
+        self.control_input = np.zeros(2 * self.n_actuators)
         if self.activity.any():
             raise NotImplementedError(f"muscles relax with env.reset() only, not with actuation_model.reset(); {PAGE}")
+
+    @property
+    def target_activity(self) -> Numbers:
+        """The activation that each muscle goes to."""
+        return np.array(self.control_input)
 
     @property
     def activity(self) -> Numbers:

@@ -261,7 +261,7 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         """One step of the library's: all of its physics steps, senses and task."""
         self._next_action = None
         self.world.step(action)
-        self.actuation_model.control_input = np.array(self.world.action, np.float64)
+        self.actuation_model.control_input = action
         self.stage.moved(observed=True)
 
     def _set_action(self, action: ArrayLike) -> None:

@@ -28,8 +28,9 @@ class Stage:
     def moved(self, observed: bool = False) -> None:
         """Tells that the world has changed: kept arrays are read again. `observed`: the senses have seen it."""
         self.observed, self.contacts = observed, None
-        for array in list(self._kept.values()):
-            array.pull()
+        if self._kept:
+            for array in list(self._kept.values()):
+                array.pull()
 
     def array(self, read: Callable[[], Any], write: Optional[Write] = None, refusal: str = "") -> "Live":
         """An array of this world, which a script may keep."""

@@ -42,6 +42,9 @@ class SimpleProprioception:
     def get_proprioception_obs(self) -> Numbers:
         """The parts in a row."""
         seen = self.env.seen()
+        if not self.env.moves_by_hand:
+            whole: Numbers = self.env.observer.row(seen)
+            return whole
         parts = [self._part(part, seen) for part in self.env.observer.fields]
         return np.concatenate([*parts, self.env.observer.row(seen, only=self.env.observer.extra)])
 
