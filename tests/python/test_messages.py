@@ -1,5 +1,7 @@
 """What a beginner is told first: what happened, what was expected, what to do."""
 
+import re
+
 import gymnasium
 import numpy as np
 import pytest
@@ -91,3 +93,13 @@ def test_nothing_is_said_of_a_good_start():
     with mimo.make("reach") as env:
         env.reset(seed=0)
         env.step(np.zeros(8, np.float32))
+
+
+def test_first_mistakes_of_the_page(root):
+    page = (root / "docs/guide/errors.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(mimo\..+?)` \| `(.+?)` \| ", page, re.MULTILINE)
+    assert len(rows) >= 12
+    for code, said in rows:
+        with pytest.raises(Exception, match=re.escape(said)) as raised:
+            eval(code, {"mimo": mimo})
+        assert str(raised.value).startswith(said), code
