@@ -15,13 +15,15 @@ from . import bill, pack, systems
 from .build import PROGRAM, build
 from .csharp import MADE, build_csharp, dotnet
 from .need import need
+from .pins import environment
 from .python import WHEELS, date_packages
 from .rust import CRATES
 from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, must, run, run_quietly, sources, version
 from .wheels import RELEASE, wheel_for, wheel_for_mujoco4
 
 PACKAGE = BUILD / "package"
-CONTACT = "libmimo contributors <libmimo@users.noreply.example.org>"  # answers for the packages
+# Debian wants an address, and there is none yet: .invalid is the domain that stands for that (RFC 6761).
+CONTACT = "libmimo contributors <contributors@libmimo.invalid>"
 CHANGELOG = """libmimo ({}-1) unstable; urgency=medium
 
   * Release {}; the changelog of libmimo says what is new.
@@ -143,8 +145,18 @@ def make_packages(for_all=False):
         package_csharp()
         package_rust()
     bill.write(version(), PACKAGE, BUILD / "cross/sources.txt", PACKAGE / f"libmimo-{version()}.spdx.json")
+    write_notes()
     sums = [f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in sorted(PACKAGE.iterdir())]
     (PACKAGE / "SHA256SUMS").write_text("".join(sums))
+
+
+def write_notes():
+    """Writes what users of this release read first, the summary of the changelog."""
+    text = (ROOT / "CHANGELOG.md").read_text()
+    short = text[text.index("### What is new for you") : text.index("\n## [")]
+    notes = re.sub(r"\[([^\]]*)\]\((?!https?:)[^)]*\)", r"\1", short).strip()  # the links lead into the sources
+    notes = f"# libmimo {version()}\n\n{notes}\n\nCHANGELOG.md in the sources has every change.\n"
+    (PACKAGE / "RELEASE-NOTES.md").write_text(notes)
 
 
 def check_made_twice(for_all=False):
@@ -177,6 +189,7 @@ def test_release():
         ("check_nuget", f"Mimo.{version()}.nupkg", dotnet("linux")[0]),
         ("check_unity", f"org.libmimo.mimo-{version()}.tgz"),
         ("check_crates", f"mimo-{version()}.crate", PACKAGE),
+        ("check_conan", f"libmimo-{version()}.tar.gz", environment("conan", "conan") / "conan"),
     ]
     for check, package, *further in checks:
         run(f"tests/package/{check}", PACKAGE / package, *further)

@@ -72,7 +72,7 @@ def renew(keep):
         place = ("--python-platform", platform) if platform else ("--universal",)
         run(*uv, *place, "--python-version", python, *files, "-o", f"{pins}{name}.txt")
 
-    for name in ("tools", "zig", "lint", "site", "train", *EARLIER):
+    for name in ("tools", "conan", "zig", "lint", "site", "train", *EARLIER):
         compile_list(name, f"{pins}{name}.in")
     # pip asks the Python that runs it about conditions, so each Python that it installs for has a list without any.
     for python in ("3.9", "3.11", "3.13"):
