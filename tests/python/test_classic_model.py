@@ -378,3 +378,37 @@ def test_a_view_of_a_world_alone():
     model, data = ModelView(world), DataView(world)
     mujoco.mj_step(model, data)
     assert data.time == pytest.approx(0.005)
+
+
+def test_constants_follow_classes_of_defaults():
+    # As MuJoCo's manual says: a class has the attributes of the class around it; an element those of its `class`, else
+    # of the nearest `childclass`, else of the outermost class; the outermost one of several sections grows.
+    text = """<mujoco>
+      <default><geom condim="4" group="2"/><default class="soft"><geom solref="0.1 1"/></default></default>
+      <default><geom margin="0.01"/><default class="low"><geom condim="1"/></default></default>
+      <worldbody>
+        <geom name="a" size="1"/>
+        <body name="b" childclass="soft" pos="0 0 9" euler="90 0 0">
+          <geom name="c" size="1"/><geom name="d" size="1" class="low" condim="6"/>
+          <body name="e"><joint name="h" type="slide"/><geom name="f" size="1" class="low"/>
+            <geom name="g" size="1" class="soft"/></body>
+        </body>
+      </worldbody></mujoco>"""
+    model = ModelView(mimo.World(mimo.Scene(xml=text)))
+    table = {name: model.geom(name) for name in "acdfg"}
+    assert {name: int(geom.condim[0]) for name, geom in table.items()} == {"a": 4, "c": 4, "d": 6, "f": 1, "g": 4}
+    assert {name: int(geom.group[0]) for name, geom in table.items()} == dict.fromkeys("acdfg", 2)
+    assert table["c"].solref.tolist() == [0.1, 1]
+    assert table["f"].margin == 0.01
+    np.testing.assert_allclose(model.body("b").quat, [0.5**0.5, 0.5**0.5, 0, 0])  # a quarter turn about x, in degrees
+    assert (model.joint("h").type, model.joint("h").limited) == (2, 0)
+
+
+def test_sizes_of_pictures_and_statistics(env):
+    assert env.model.stat.extent > 0
+    env.model.vis.global_.offwidth = 2048
+    assert env.model.vis.global_.offwidth == 2048
+    with pytest.raises(AttributeError, match=r"model\.stat\.extent is a constant here"):
+        env.model.stat.extent = 1
+    with pytest.raises(AttributeError, match=r"model\.vis has no 'map' here"):
+        env.model.vis.map  # noqa: B018

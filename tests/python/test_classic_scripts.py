@@ -132,6 +132,7 @@ def test_a_fork_with_its_own_environments_scenes_and_functions(folder):
     assert re.match(r"goal (right_hand|left_lower_arm) height 0\.5 elbow \[-2\.5312\]", told[0])
     assert re.match(r"steps \d+ 2 robot:left_elbow", told[1])
     assert told[2] == "mimo.classic.envs mimoEnv"
+    assert run(folder, "fork/mimoEnv/experiments/show_itch.py") == ["scratched 2 True"]
 
 
 def test_a_notebook(folder):

@@ -9,7 +9,7 @@ docs/guide/classic.md explains how to adapt scripts.
 from . import utils
 from .actuation import ActuationModel, MuscleModel, PositionalModel, SpringDamperModel
 from .differences import DifferenceWarning
-from .env import EMOTES, MIMoEnv
+from .env import DEFAULT_SIZE, EMOTES, MIMoEnv
 from .envs import (
     BENCHMARK_XML,
     BENCHMARK_XML_V2,
@@ -52,6 +52,7 @@ __all__ = [
     "DEMO_XML",
     "EMOTES",
     "DEFAULT_PROPRIOCEPTION_PARAMS",
+    "DEFAULT_SIZE",
     "DEFAULT_TOUCH_PARAMS",
     "DEFAULT_TOUCH_PARAMS_V2",
     "DEFAULT_VESTIBULAR_PARAMS",

@@ -18,10 +18,11 @@ from .elements import KINDS, OTHERS, SHORT, data_attributes, model_attributes
 from .engine import CONSTANTS, FUNCTIONS
 from .env import MIMoEnv
 from .live import PAGE
-from .model import CHOICES, COUNTS, LISTED, OPTIONS, DataView, ModelView
+from .model import COUNTS, LISTED, DataView, ModelView
 from .names import ENGINE, MODULES, OLD_GYM, RENAMED, UTILS_NAME, VIEWER, file_of, folders, is_ours, ours
 from .pictures import Renderer
 from .sensors import SimpleProprioception, SimpleVestibular, SimpleVision
+from .settings import CHOICES, OPTIONS
 from .skin import Touch
 
 # Members of an environment, and the classes of what they are.
@@ -277,7 +278,9 @@ def _has(kind: str, name: str) -> bool:
     if kind in PARTS:
         return hasattr(PARTS[kind], name) or name in _constructed(PARTS[kind])
     if kind == "model":
-        return name in {*MODEL, *KINDS, *OTHERS, *SHORT, *COUNTS, *LISTED, "opt"} or hasattr(ModelView, name)
+        return name in {*MODEL, *KINDS, *OTHERS, *SHORT, *COUNTS, *LISTED, "opt", "stat", "vis"} or hasattr(
+            ModelView, name
+        )
     if kind == "data":
         return name in {*DATA, *KINDS, *OTHERS, *SHORT} or hasattr(DataView, name)
     if kind == "opt":

@@ -123,9 +123,13 @@ class Document:
     def _classes(self) -> Dict[Tuple[str, str], Attributes]:
         """The attributes that a class gives to a kind of element, with those of the classes around it."""
         made: Dict[Tuple[str, str], Attributes] = {}
+        main: Dict[str, Attributes] = {}  # the outermost class grows from one section to the next
         for top in self.root.findall("default"):
-            for name, kind, attributes in _settings(top, "main", {}):
-                made.setdefault((name, kind), {}).update(attributes)
+            names = {"main", top.get("class", "main")}
+            for name, kind, attributes in _settings(top, "main", main):
+                for one in names if name == "main" else (name,):
+                    made.setdefault((one, kind), {}).update(attributes)
+            main = {kind: attributes for (name, kind), attributes in made.items() if name == "main"}
         return made
 
 

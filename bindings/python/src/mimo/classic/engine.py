@@ -12,7 +12,8 @@ from ..constants import Kind, Quantity
 from . import mathematics
 from .elements import KINDS, OTHERS
 from .live import PAGE
-from .model import CHOICES, DataView, ModelView
+from .model import DataView, ModelView
+from .settings import CHOICES
 
 VIEWS = (ModelView, DataView)
 

@@ -30,6 +30,7 @@ from .sensors import SimpleProprioception, SimpleVestibular, SimpleVision
 
 Numbers = NDArray[np.float64]
 Observation = Dict[str, NDArray[Any]]
+DEFAULT_SIZE = 500  # pixels of pictures
 GOALS = ("achieved_goal", "desired_goal")
 # The original's names of faces, and the library's.
 EMOTES = {
@@ -82,8 +83,8 @@ class MIMoEnv(gymnasium.Env[Observation, NDArray[np.float32]]):
         goals_in_observation: bool = True,
         done_active: bool = False,
         render_mode: Optional[str] = None,
-        width: int = 500,
-        height: int = 500,
+        width: int = DEFAULT_SIZE,
+        height: int = DEFAULT_SIZE,
         camera_name: Optional[str] = None,
         default_camera_config: Optional[Mapping[str, Any]] = None,
         camera_id: Optional[int] = None,

@@ -6,8 +6,7 @@ is refused where it cannot. Missing members raise an error.
 
 from __future__ import annotations
 
-from functools import cached_property
-from typing import Any, Dict, Union
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,28 +16,10 @@ from ..world import World
 from .catalog import Catalog
 from .columns import DATA, MODEL, mocap_bodies, user_numbers
 from .contacts import ContactView
-from .elements import KINDS, Arrays, refuse
+from .elements import KINDS, Arrays
 from .live import PAGE, Live, Stage
+from .settings import OptionView, StatisticView, VisualView
 
-# MuJoCo's options: the document's attributes and their defaults.
-OPTIONS: Dict[str, Any] = {
-    "iterations": 100,
-    "tolerance": 1e-8,
-    "noslip_iterations": 0,
-    "impratio": 1.0,
-    "density": 0.0,
-    "viscosity": 0.0,
-    "wind": (0.0, 0.0, 0.0),
-    "magnetic": (0.0, -0.5, 0.0),
-}
-# ... and those with names, by MuJoCo's numbers.
-CHOICES: Dict[str, Any] = {
-    "integrator": ("Euler", "RK4", "implicit", "implicitfast"),
-    "cone": ("pyramidal", "elliptic"),
-    "jacobian": ("dense", "sparse", "auto"),
-    "solver": ("PGS", "CG", "Newton"),
-}
-_STANDARD_CHOICES = {"integrator": "Euler", "cone": "pyramidal", "jacobian": "auto", "solver": "Newton"}
 COUNTS = {
     "nbody": Kind.BODY,
     "njnt": Kind.JOINT,
@@ -67,6 +48,7 @@ class ModelView(Arrays):
     def __init__(self, world: Union[World, Stage, Catalog]) -> None:
         super().__init__(stage_of(world))
         self.__dict__["opt"] = OptionView(self._it)
+        self.__dict__["stat"], self.__dict__["vis"] = StatisticView(self._it), VisualView(self._it)
 
     def __getattr__(self, name: str) -> Any:
         if name in COUNTS:
@@ -142,56 +124,6 @@ class ModelView(Arrays):
             if int(material) != self._head() or name not in faces:
                 raise ValueError(f"mat_texid: only the face can be changed here, with world.set_face(name); {PAGE}")
             self._world.set_face(name)
-
-
-class OptionView:
-    """`model.opt`: gravity (m/s^2) can be set; the rest belongs to the document."""
-
-    def __init__(self, catalog: Catalog) -> None:
-        self.__dict__["_it"] = catalog
-
-    @property
-    def gravity(self) -> Live:
-        """Gravity of this world, m/s^2."""
-        world = self._it.world
-        return self._it.stage.array(lambda: world.gravity, lambda new, old: setattr(world, "gravity", new))
-
-    @property
-    def timestep(self) -> float:
-        """Time step of the physics, s."""
-        return self._it.world.timestep
-
-    @cached_property
-    def _stated(self) -> Dict[str, str]:
-        return self._it.document.merged("option")
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or (name not in OPTIONS and name not in CHOICES):
-            refuse("model.opt", name)
-        given = self._stated.get(name)
-        if name in CHOICES:
-            return CHOICES[name].index(given or _STANDARD_CHOICES[name])
-        standard = OPTIONS[name]
-        if isinstance(standard, tuple):
-            values = standard if given is None else [float(it) for it in given.split()]
-            return self._it.stage.array(lambda: np.array(values), None, self._refusal(name))
-        return standard if given is None else type(standard)(float(given))
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        if name == "gravity":
-            self.gravity[...] = value
-        elif name == "_stated":
-            self.__dict__[name] = value
-        else:
-            before = getattr(self, name)  # refuses unknown names
-            if not np.array_equal(before, value):
-                raise AttributeError(self._refusal(name))
-
-    def _refusal(self, name: str) -> str:
-        return (
-            f"model.opt.{name} is a constant here: write <option {name}=.../> in the scene's document; only gravity "
-            f"can be set; {PAGE}"
-        )
 
 
 class DataView(Arrays):
