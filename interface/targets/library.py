@@ -124,7 +124,7 @@ def plain_members(api, struct):
 
 
 def header(api):
-    """What rooms check their tables against: the bits of each set of flags, and the numbers of quantities."""
+    """What rooms check their tables against: the bits of each set of flags, the numbers of kinds and quantities."""
     text = f"""// {NOTE}
 // All that the header has of what is listed again in tables of the rooms, so that a row that is missing cannot compile.
 #pragma once
@@ -142,7 +142,11 @@ namespace mimo::header {{
             for name in enum.constants:
                 bits |= 0 if name.endswith(("_ALL", "_NONE")) else api.constant(name).value
             text += f"constexpr std::uint32_t k{enum.name} = {bits:#x};\n"
-    numbers = sorted(api.enum("Quantity").constants, key=lambda name: api.constant(name).value)
-    text += "\nconstexpr mimo_quantity kQuantities[] = {\n"
-    text += "".join(f"    {name},\n" for name in numbers)
-    return text + "};\n\n}  // namespace mimo::header\n"
+    return text + listed(api, "Kind", "kKinds") + listed(api, "Quantity", "kQuantities") + "\n}  // namespace mimo::header\n"
+
+
+def listed(api, enum, name):
+    """An enumeration's constants in the order of their numbers."""
+    names = sorted(api.enum(enum).constants, key=lambda name: api.constant(name).value)
+    rows = "".join(f"    {name},\n" for name in names)
+    return f"\nconstexpr {api.enum(enum).c_type} {name}[] = {{\n{rows}}};\n"

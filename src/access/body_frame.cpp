@@ -49,8 +49,8 @@ void BodyFrame::see_velocity(const Eigen::Vector3d& at, double* values) const {
   angular = from_world_ * (angular - spin_);
 }
 
-Eigen::Vector3d place_of(const mjData& data, Kind kind, int id) {
-  return Eigen::Vector3d((kind == Kind::kSite ? data.site_xpos : data.xpos) + 3 * id);
+Eigen::Vector3d place_of(const mjData& data, mimo_kind kind, int id) {
+  return Eigen::Vector3d((kind == MIMO_SITE ? data.site_xpos : data.xpos) + 3 * id);
 }
 
 }  // namespace mimo::access

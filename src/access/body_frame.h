@@ -25,6 +25,6 @@ class BodyFrame {
 };
 
 // Where an element of a quantity that can be seen from other frames is.
-Eigen::Vector3d place_of(const mjData& data, Kind kind, int id);
+Eigen::Vector3d place_of(const mjData& data, mimo_kind kind, int id);
 
 }  // namespace mimo::access

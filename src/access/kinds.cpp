@@ -1,21 +1,70 @@
 #include "access/kinds.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/choice.h"
 #include "base/fail.h"
+#include "base/header.h"
 
 namespace mimo::access {
 namespace {
 
-bool in_model(Kind kind) { return kind <= Kind::kLight; }
+using env::World;
 
-engine::Kind of_model(Kind kind) { return static_cast<engine::Kind>(kind); }
+const char* no_name(const World& /*world*/, int /*id*/) { return ""; }
 
-std::vector<std::string> names_of(const env::World& world, Kind kind) {
+#define MIMO_NAMED(constant) constant, #constant
+
+template <mimo_kind number>
+int count_in_model(const World& world) {
+  return engine::count(world.model(), static_cast<engine::Kind>(number));
+}
+
+template <mimo_kind number>
+const char* name_in_model(const World& world, int id) {
+  return engine::name(world.model(), static_cast<engine::Kind>(number), id);
+}
+
+// Not by MIMO_NAMED, which would be given the constant's number.
+#define MIMO_IN_MODEL(constant) constant, #constant, count_in_model<constant>, name_in_model<constant>
+
+template <auto bodies>
+int body_in_model(const mjModel& model, int id) {
+  return (model.*bodies)[id];
+}
+
+constexpr Kind kKinds[] = {
+    {MIMO_IN_MODEL(MIMO_BODY), "", body_in_model<&mjModel::body_parentid>},
+    {MIMO_IN_MODEL(MIMO_JOINT), "joint", body_in_model<&mjModel::jnt_bodyid>},
+    {MIMO_IN_MODEL(MIMO_GEOM), "", body_in_model<&mjModel::geom_bodyid>},
+    {MIMO_IN_MODEL(MIMO_SITE), "", body_in_model<&mjModel::site_bodyid>},
+    {MIMO_IN_MODEL(MIMO_CAMERA), "", body_in_model<&mjModel::cam_bodyid>},
+    {MIMO_IN_MODEL(MIMO_ACTUATOR), "actuator"},
+    {MIMO_IN_MODEL(MIMO_SENSOR)},
+    {MIMO_IN_MODEL(MIMO_LIGHT), "", body_in_model<&mjModel::light_bodyid>},
+    {MIMO_NAMED(MIMO_CONTACT), [](const World& world) { return world.data().ncon; }, no_name, "", nullptr, false},
+    {MIMO_NAMED(MIMO_STEP_CONTACT),
+     [](const World& world) { return static_cast<int>(world.step_contacts().all().size()); }, no_name, "", nullptr,
+     false},
+    {MIMO_NAMED(MIMO_AGENT), [](const World& world) { return static_cast<int>(world.agents().size()); },
+     [](const World& world, int id) { return world.agents()[static_cast<std::size_t>(id)].name.c_str(); }},
+    {MIMO_NAMED(MIMO_FACE), [](const World& world) { return static_cast<int>(world.faces().size()); },
+     [](const World& world, int id) { return world.faces()[static_cast<std::size_t>(id)].name.c_str(); }},
+    {MIMO_NAMED(MIMO_WORLD), [](const World& /*world*/) { return 1; }, no_name, "world"},
+    {MIMO_NAMED(MIMO_WARNING), [](const World& /*world*/) { return engine::kWarnings; },
+     [](const World& /*world*/, int id) { return engine::word(static_cast<engine::Warning>(id)); }},
+};
+
+static_assert(are_rows_of(kKinds, header::kKinds), "a kind's row is missing, doubled or not in its place");
+static_assert(header::kKinds[0] == 1 && header::kKinds[std::size(kKinds) - 1] == std::size(kKinds),
+              "kinds are found by their number");
+
+std::vector<std::string> names_of(const World& world, const Kind& kind) {
   std::vector<std::string> names;
-  for (int id = 0; id < count(world, kind); ++id) {
-    const std::string text = name(world, kind, id);
+  const int count = kind.count(world);
+  for (int id = 0; id < count; ++id) {
+    const std::string text = kind.name(world, id);
     if (!text.empty()) names.push_back(text);
   }
   return names;
@@ -23,80 +72,46 @@ std::vector<std::string> names_of(const env::World& world, Kind kind) {
 
 }  // namespace
 
-const char* word(Kind kind) {
-  switch (kind) {
-    case Kind::kContact: return "contact";
-    case Kind::kStepContact: return "step contact";
-    case Kind::kAgent: return "agent";
-    case Kind::kFace: return "face";
-    case Kind::kWorld: return "world";
-    case Kind::kWarning: return "warning";
-    default: return engine::word(of_model(kind));
-  }
+const Kind* find_kind(mimo_kind number) {
+  return number >= 1 && number <= static_cast<int>(std::size(kKinds)) ? &kKinds[number - 1] : nullptr;
 }
 
-std::string constant(const std::string& words) {
-  std::string name = "MIMO_" + words;
-  std::transform(name.begin(), name.end(), name.begin(), [](char letter) {
-    return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter == ' ' ? '_' : letter;
+int count_kinds() { return static_cast<int>(std::size(kKinds)); }
+
+const Kind& kind_of(mimo_kind number) { return *find_kind(number); }
+
+std::string words(const char* constant) {
+  std::string words = constant + std::size("MIMO_") - 1;
+  std::transform(words.begin(), words.end(), words.begin(), [](char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter == '_' ? ' ' : letter;
   });
-  return name;
+  return words;
 }
 
-std::string constant(Kind kind) { return constant(word(kind)); }
-
-int count(const env::World& world, Kind kind) {
-  switch (kind) {
-    case Kind::kContact: return world.data().ncon;
-    case Kind::kStepContact: return static_cast<int>(world.step_contacts().all().size());
-    case Kind::kAgent: return static_cast<int>(world.agents().size());
-    case Kind::kFace: return static_cast<int>(world.faces().size());
-    case Kind::kWorld: return 1;
-    case Kind::kWarning: return engine::kWarnings;
-    default: return engine::count(world.model(), of_model(kind));
+int find_or_fail(const World& world, const Kind& kind, const std::string& wanted) {
+  if (kind.in_model()) return engine::find_or_fail(world.model(), static_cast<engine::Kind>(kind.number), wanted);
+  const int count = kind.count(world);
+  for (int id = 0; id < count; ++id) {
+    if (!wanted.empty() && wanted == kind.name(world, id)) return id;
   }
+  fail(Status::kNotFound, "no {} named \"{}\"; {}", words(kind.constant), wanted,
+       choice_of(wanted, names_of(world, kind)));
 }
 
-int find_or_fail(const env::World& world, Kind kind, const std::string& wanted) {
-  if (in_model(kind)) return engine::find_or_fail(world.model(), of_model(kind), wanted);
-  for (int id = 0; id < count(world, kind); ++id) {
-    if (!wanted.empty() && wanted == name(world, kind, id)) return id;
+int find_or_fail(const mjModel& model, const World* world, const Kind& kind, const std::string& name) {
+  if (kind.in_model()) return engine::find_or_fail(model, static_cast<engine::Kind>(kind.number), name);
+  if (world == nullptr)
+    fail(Status::kUnsupported, "attached senses know of no {}, which only worlds have", words(kind.constant));
+  const bool only = kind.number == MIMO_AGENT && world->agents().size() == 1 && world->agents()[0].name.empty();
+  return only && name.empty() ? 0 : find_or_fail(*world, kind, name);
+}
+
+int body_of(const World& world, const Kind& kind, int id) {
+  if (kind.body == nullptr) {
+    fail(Status::kInvalidArgument, "kind is {} ({}), expected body, joint, geom, site, camera or light", kind.number,
+         words(kind.constant));
   }
-  fail(Status::kNotFound, "no {} named \"{}\"; {}", word(kind), wanted, choice_of(wanted, names_of(world, kind)));
-}
-
-int find_or_fail(const mjModel& model, const env::World* world, Kind kind, const std::string& name) {
-  if (in_model(kind)) return engine::find_or_fail(model, of_model(kind), name);
-  if (world == nullptr) fail(Status::kUnsupported, "attached senses know of no {}, which only worlds have", word(kind));
-  if (kind == Kind::kAgent && name.empty() && world->agents().size() == 1 && world->agents()[0].name.empty()) return 0;
-  return find_or_fail(*world, kind, name);
-}
-
-const char* name(const env::World& world, Kind kind, int id) {
-  switch (kind) {
-    case Kind::kAgent: return world.agents()[static_cast<std::size_t>(id)].name.c_str();
-    case Kind::kFace: return world.faces()[static_cast<std::size_t>(id)].name.c_str();
-    case Kind::kWarning: return engine::word(static_cast<engine::Warning>(id));
-    case Kind::kContact:
-    case Kind::kStepContact:
-    case Kind::kWorld: return "";
-    default: return engine::name(world.model(), of_model(kind), id);
-  }
-}
-
-int body_of(const env::World& world, Kind kind, int id) {
-  const mjModel& model = world.model();
-  switch (kind) {
-    case Kind::kBody: return model.body_parentid[id];
-    case Kind::kJoint: return model.jnt_bodyid[id];
-    case Kind::kGeom: return model.geom_bodyid[id];
-    case Kind::kSite: return model.site_bodyid[id];
-    case Kind::kCamera: return model.cam_bodyid[id];
-    case Kind::kLight: return model.light_bodyid[id];
-    default:
-      fail(Status::kInvalidArgument, "kind is {} ({}), expected body, joint, geom, site, camera or light",
-           static_cast<int>(kind), word(kind));
-  }
+  return kind.body(world.model(), id);
 }
 
 }  // namespace mimo::access

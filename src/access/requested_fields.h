@@ -12,7 +12,7 @@ namespace mimo::access {
 // A quantity of some elements as a field of the observation.
 struct FieldOptions {
   std::string name;
-  Quantity quantity;
+  const Quantity* quantity;
   bool now = false;                   // at the step's end, of what else belongs to the start of its last physics step
   std::vector<std::string> elements;  // their names; none of the world
   std::string relative_to;            // the body in whose frame it is; "": the world's
@@ -32,7 +32,7 @@ class RequestedFields : public observation::Sense {
 
  private:
   struct Reader {
-    Quantity quantity;
+    const Quantity* quantity;
     bool now;
     std::vector<std::int32_t> ids;
     int relative_to;  // body, or -1: the world

@@ -165,7 +165,8 @@ void Batch::observe(const std::uint8_t* mask, std::uint8_t* blocks) {
 }
 
 // Copying is so quick that waking threads for it would take longer.
-void Batch::set(access::Quantity quantity, const access::Ids& ids, const std::uint8_t* mask, const double* values) {
+void Batch::set(const access::Quantity& quantity, const access::Ids& ids, const std::uint8_t* mask,
+                const double* values) {
   require_idle();
   const std::size_t width = access::width(world(0), quantity, ids);
   const auto row = [&](std::size_t i) { return Span<const double>(values + i * width, width); };

@@ -67,14 +67,15 @@ class Batch : private Job {
 
   // Values have a row for each world.
   template <typename T>
-  void get(access::Quantity quantity, const access::Ids& ids, bool now, const std::uint8_t* mask, T* values) const {
+  void get(const access::Quantity& quantity, const access::Ids& ids, bool now, const std::uint8_t* mask,
+           T* values) const {
     require_idle();
     const std::size_t width = access::width(world(0), quantity, ids);
     for (std::size_t i = 0; i < size(); ++i) {
       if (mask == nullptr || mask[i] != 0) access::get(world(i), quantity, ids, now, {values + i * width, width});
     }
   }
-  void set(access::Quantity quantity, const access::Ids& ids, const std::uint8_t* mask, const double* values);
+  void set(const access::Quantity& quantity, const access::Ids& ids, const std::uint8_t* mask, const double* values);
 
   // Of the world whose state is longest: worlds of other ages remember more or less.
   std::size_t state_bytes() const;

@@ -10,19 +10,17 @@ namespace mimo::capi {
 
 namespace {
 
-bool is_kind(std::int32_t number) { return number >= 1 && number <= access::kKinds; }
-
 bool is_of_receptors(std::int32_t number) { return number >= MIMO_RECEPTOR_BODY && number <= MIMO_RECEPTOR_FRAME; }
 
 // "MIMO_BODY, which is a kind"; "" for what is neither a kind nor a quantity.
 std::string told(std::int32_t number) {
-  if (is_kind(number)) return access::constant(static_cast<access::Kind>(number)) + ", which is a kind";
+  if (const access::Kind* kind = access::find_kind(number)) return std::string(kind->constant) + ", which is a kind";
   if (is_of_receptors(number)) {
     const auto quantity = static_cast<observation::ReceptorQuantity>(number);
-    return access::constant(observation::word(quantity)) + ", which is a quantity of receptors";
+    return std::string(observation::constant(quantity)) + ", which is a quantity of receptors";
   }
-  const access::Traits* quantity = access::find_quantity(number);
-  return quantity == nullptr ? "" : access::constant(*quantity) + ", which is a quantity";
+  const access::Quantity* quantity = access::find_quantity(number);
+  return quantity == nullptr ? "" : std::string(quantity->constant) + ", which is a quantity";
 }
 
 // A number that is not what it should be: known as something else, or not at all.
@@ -36,25 +34,27 @@ std::string told(std::int32_t number) {
 
 Request request_from(std::int32_t quantity) {
   const std::int32_t number = quantity & ~MIMO_NOW;
-  if (access::find_quantity(number) == nullptr) {
-    refuse_number("quantity", quantity, "a quantity, such as MIMO_BODY_POSITION");
-  }
-  const Request request = {static_cast<access::Quantity>(number), quantity != number};
+  const access::Quantity* known = access::find_quantity(number);
+  if (known == nullptr) refuse_number("quantity", quantity, "a quantity, such as MIMO_BODY_POSITION");
+  const Request request = {*known, quantity != number};
   if (request.now) access::require_known_now(request.quantity);
   return request;
 }
 
-access::Quantity writable_from(std::int32_t quantity) {
+const access::Quantity& writable_from(std::int32_t quantity) {
   const Request request = request_from(quantity);
   require(!request.now, "quantity has MIMO_NOW, which is for reading only");
   access::require_writable(request.quantity);
   return request.quantity;
 }
 
-access::Kind kind_from(std::int32_t kind) {
-  if (!is_kind(kind) && !told(kind & ~MIMO_NOW).empty()) refuse_number("kind", kind, "a kind, such as MIMO_BODY");
-  check_choice(kind, 1, access::kKinds, "kind");
-  return static_cast<access::Kind>(kind);
+const access::Kind& kind_from(std::int32_t kind) {
+  if (const access::Kind* known = access::find_kind(kind)) return *known;
+  if (told(kind & ~MIMO_NOW).empty()) {
+    fail(Status::kUnsupported, "kind is {}, which needs an interface newer than {}.{}: this one knows 1 to {}", kind,
+         MIMO_API_MAJOR, MIMO_API_MINOR, access::count_kinds());
+  }
+  refuse_number("kind", kind, "a kind, such as MIMO_BODY");
 }
 
 observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
@@ -64,16 +64,19 @@ observation::ReceptorQuantity receptor_quantity_from(std::int32_t quantity) {
   return static_cast<observation::ReceptorQuantity>(quantity);
 }
 
-access::Ids ids_of(const env::World& world, access::Quantity quantity, const std::int32_t* ids, std::size_t count) {
-  if (ids == nullptr && count == 0) return access::Ids(access::count(world, access::traits(quantity).kind()));
+access::Ids ids_of(const env::World& world, const access::Quantity& quantity, const std::int32_t* ids,
+                   std::size_t count) {
+  if (ids == nullptr && count == 0) return access::Ids(quantity.kind().count(world));
   return access::Ids(array(ids, count, "ids"));
 }
 
 namespace {
 
-void check_id(const env::World& world, access::Kind kind, std::int32_t id) {
-  const int limit = access::count(world, kind);
-  require(id >= 0 && id < limit, "id is {}, expected a {} id from 0 to {}", id, access::word(kind), limit - 1);
+void check_id(const env::World& world, const access::Kind& kind, std::int32_t id) {
+  const int limit = kind.count(world);
+  if (id >= 0 && id < limit) return;
+  fail(Status::kInvalidArgument, "id is {}, expected a {} id from 0 to {}", id, access::words(kind.constant),
+       limit - 1);
 }
 
 template <typename T>
@@ -98,7 +101,7 @@ extern "C" {
 mimo_status mimo_env_count(const mimo_env* env, int32_t kind, size_t* count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    out(count, "count") = static_cast<size_t>(access::count(world, kind_from(kind)));
+    out(count, "count") = static_cast<size_t>(kind_from(kind).count(world));
   });
 }
 
@@ -113,16 +116,16 @@ mimo_status mimo_env_find(const mimo_env* env, int32_t kind, const char* name, i
 mimo_status mimo_env_name(const mimo_env* env, int32_t kind, int32_t id, const char** name) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const access::Kind of = kind_from(kind);
+    const access::Kind& of = kind_from(kind);
     check_id(world, of, id);
-    out(name, "name") = access::name(world, of, id);
+    out(name, "name") = of.name(world, id);
   });
 }
 
 mimo_status mimo_env_body_of(const mimo_env* env, int32_t kind, int32_t id, int32_t* body) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const access::Kind of = kind_from(kind);
+    const access::Kind& of = kind_from(kind);
     check_id(world, of, id);
     out(body, "body") = access::body_of(world, of, id);
   });
@@ -132,7 +135,7 @@ mimo_status mimo_env_width(const mimo_env* env, int32_t quantity, const int32_t*
                            size_t* value_count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const access::Quantity what = request_from(quantity).quantity;
+    const access::Quantity& what = request_from(quantity).quantity;
     out(value_count, "value_count") = access::width(world, what, ids_of(world, what, ids, id_count));
   });
 }
@@ -151,7 +154,7 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
                          size_t value_count) noexcept {
   return guard(env, [&] {
     env::World& world = open(env).world();
-    const access::Quantity what = writable_from(quantity);
+    const access::Quantity& what = writable_from(quantity);
     const access::Ids which = ids_of(world, what, ids, id_count);
     const auto from = array(values, value_count, "values");
     check_given(value_count, access::width(world, what, which), "value_count");

@@ -222,7 +222,7 @@ mimo_status mimo_batch_set(mimo_batch* batch, int32_t quantity, const int32_t* i
                            const uint8_t* mask, size_t worlds, const double* values, size_t value_count) noexcept {
   return guard(batch, [&] {
     batch::Batch& inner = open(batch).batch;
-    const access::Quantity what = writable_from(quantity);
+    const access::Quantity& what = writable_from(quantity);
     const access::Ids which = ids_of(inner, what, ids, id_count);
     check_per_world(inner, worlds, mask != nullptr);
     check_values(inner, what, which, values, value_count);

@@ -56,10 +56,10 @@ const float* actions_of(const batch::Batch& batch, const float* actions, std::si
   return count == 0 ? nullptr : actions;
 }
 
-access::Ids ids_of(const batch::Batch& batch, access::Quantity quantity, const std::int32_t* ids, std::size_t count) {
-  const access::Traits& what = access::traits(quantity);
-  require(access::is_alike(what.kind()), "quantity is {}, of which worlds have different numbers; ask each world",
-          access::constant(what));
+access::Ids ids_of(const batch::Batch& batch, const access::Quantity& quantity, const std::int32_t* ids,
+                   std::size_t count) {
+  require(quantity.kind().alike, "quantity is {}, of which worlds have different numbers; ask each world",
+          quantity.constant);
   return ids_of(batch.world(0), quantity, ids, count);
 }
 

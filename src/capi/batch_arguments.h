@@ -21,11 +21,12 @@ batch::Output output_of(const batch::Batch& batch, void* blocks, std::size_t blo
 const float* actions_of(const batch::Batch& batch, const float* actions, std::size_t count);
 
 // Ids for all worlds, of a quantity of which each has as many.
-access::Ids ids_of(const batch::Batch& batch, access::Quantity quantity, const std::int32_t* ids, std::size_t count);
+access::Ids ids_of(const batch::Batch& batch, const access::Quantity& quantity, const std::int32_t* ids,
+                   std::size_t count);
 
 // The values of all worlds: const if the caller gives them.
 template <typename T>
-void check_values(const batch::Batch& batch, access::Quantity quantity, const access::Ids& ids, T* values,
+void check_values(const batch::Batch& batch, const access::Quantity& quantity, const access::Ids& ids, T* values,
                   std::size_t count) {
   require(values != nullptr || count == 0, "values is NULL, but value_count is {}", count);
   const std::size_t expected = batch.size() * access::width(batch.world(0), quantity, ids);

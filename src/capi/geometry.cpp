@@ -37,16 +37,16 @@ void convert_each(float* values, std::size_t count, const char* argument, Conver
   }
 }
 
-access::Quantity pose_of(std::int32_t kind) {
+mimo_quantity pose_of(std::int32_t kind) {
   switch (kind) {
-    case MIMO_BODY: return access::Quantity::kBodyPose;
-    case MIMO_GEOM: return access::Quantity::kGeomPose;
-    case MIMO_SITE: return access::Quantity::kSitePose;
-    case MIMO_CAMERA: return access::Quantity::kCameraPose;
+    case MIMO_BODY: return MIMO_BODY_POSE;
+    case MIMO_GEOM: return MIMO_GEOM_POSE;
+    case MIMO_SITE: return MIMO_SITE_POSE;
+    case MIMO_CAMERA: return MIMO_CAMERA_POSE;
     default: break;
   }
   fail(Status::kInvalidArgument, "kind is {} ({}), expected body, geom, site or camera", kind,
-       access::word(kind_from(kind)));
+       access::words(kind_from(kind).constant));
 }
 
 void convert_poses(const geometry::Conversion& to, Span<float> poses) {
@@ -167,7 +167,7 @@ mimo_status mimo_convert_poses(int32_t axes, float* poses, size_t pose_count) no
 mimo_status mimo_env_poses(const mimo_env* env, int32_t kind, int32_t axes, float* poses, size_t value_count) noexcept {
   return guard(env, [&] {
     const env::World& world = open(env).world();
-    const access::Quantity quantity = pose_of(kind);
+    const access::Quantity& quantity = access::quantity_of(pose_of(kind));
     const geometry::Conversion to = conversion(axes, "axes");
     const access::Ids all = ids_of(world, quantity, nullptr, 0);
     const Span<float> where = array(poses, value_count, "poses");

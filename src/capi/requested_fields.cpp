@@ -29,7 +29,7 @@ std::vector<std::string> elements_of(const mimo_field_config& config) {
 access::FieldOptions options_from(const mimo_field_config& config) {
   access::FieldOptions options;
   const Request wanted = request_from(config.quantity);
-  options.quantity = wanted.quantity;
+  options.quantity = &wanted.quantity;
   options.now = wanted.now;
   options.name = text(config.name);
   require(!options.name.empty(), "name is {}, expected one for the field", config.name == nullptr ? "NULL" : "\"\"");

@@ -17,12 +17,12 @@ void read(const Receptor& receptor, ReceptorQuantity quantity, double* values) {
 
 }  // namespace
 
-const char* word(ReceptorQuantity quantity) {
+const char* constant(ReceptorQuantity quantity) {
   switch (quantity) {
-    case ReceptorQuantity::kBody: return "receptor body";
-    case ReceptorQuantity::kGeom: return "receptor geom";
-    case ReceptorQuantity::kPosition: return "receptor position";
-    case ReceptorQuantity::kFrame: return "receptor frame";
+    case ReceptorQuantity::kBody: return "MIMO_RECEPTOR_BODY";
+    case ReceptorQuantity::kGeom: return "MIMO_RECEPTOR_GEOM";
+    case ReceptorQuantity::kPosition: return "MIMO_RECEPTOR_POSITION";
+    case ReceptorQuantity::kFrame: return "MIMO_RECEPTOR_FRAME";
   }
   return "";
 }

@@ -25,7 +25,7 @@ enum class ReceptorQuantity : mimo_quantity {
   kFrame = MIMO_RECEPTOR_FRAME,
 };
 
-const char* word(ReceptorQuantity quantity);  // "receptor position"
+const char* constant(ReceptorQuantity quantity);  // "MIMO_RECEPTOR_POSITION"
 // How many numbers one receptor has of it.
 std::size_t width(ReceptorQuantity quantity);
 // Of all, one after the other.

@@ -10,8 +10,8 @@ namespace mimo::recording {
 
 std::string joint_names(const env::World& world);  // a line each
 // A line for each column: a free joint has seven positions and six velocities.
-std::string joint_columns(const env::World& world, access::Quantity quantity);
+std::string joint_columns(const env::World& world, mimo_quantity quantity);
 // Of all joints.
-void read_joints(const env::World& world, access::Quantity quantity, std::vector<double>& values);
+void read_joints(const env::World& world, mimo_quantity quantity, std::vector<double>& values);
 
 }  // namespace mimo::recording

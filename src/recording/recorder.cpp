@@ -137,9 +137,8 @@ void Recorder::describe(const env::World& world, const Options& options) {
   file_->attribute("joint_names", joint_names(world));
   file_->table(kTime, h5.f64, {}, "s");
   file_->table(kActions, h5.f32, {world.action_size()}, "", action_names(world));
-  for (const auto& [table, quantity, unit] :
-       {std::tuple(kJointPosition, access::Quantity::kJointPosition, "m or rad"),
-        std::tuple(kJointVelocity, access::Quantity::kJointVelocity, "m/s or rad/s")}) {
+  for (const auto& [table, quantity, unit] : {std::tuple(kJointPosition, MIMO_JOINT_POSITION, "m or rad"),
+                                              std::tuple(kJointVelocity, MIMO_JOINT_VELOCITY, "m/s or rad/s")}) {
     read_joints(world, quantity, numbers_);
     file_->table(table, h5.f64, {numbers_.size()}, unit, joint_columns(world, quantity));
   }
@@ -259,9 +258,9 @@ void Recorder::write(const env::World& world, Span<const float> actions, const s
   std::copy(actions.begin(), actions.end(), actions_.begin());
   file_->append(kActions, actions_.data());
   write_results(world);
-  read_joints(world, access::Quantity::kJointPosition, numbers_);
+  read_joints(world, MIMO_JOINT_POSITION, numbers_);
   file_->append(kJointPosition, numbers_.data());
-  read_joints(world, access::Quantity::kJointVelocity, numbers_);
+  read_joints(world, MIMO_JOINT_VELOCITY, numbers_);
   file_->append(kJointVelocity, numbers_.data());
   for (const Kept& field : fields_) file_->append(field.table, block + field.offset);
   if (std::chrono::duration<double>(Clock::now() - flushed_).count() < flush_seconds_) return;

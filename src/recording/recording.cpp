@@ -15,8 +15,8 @@
 namespace mimo::recording {
 namespace {
 
-constexpr std::pair<const char*, access::Quantity> kJoints[] = {{kJointPosition, access::Quantity::kJointPosition},
-                                                                {kJointVelocity, access::Quantity::kJointVelocity}};
+constexpr std::pair<const char*, mimo_quantity> kJoints[] = {{kJointPosition, MIMO_JOINT_POSITION},
+                                                             {kJointVelocity, MIMO_JOINT_VELOCITY}};
 
 constexpr std::size_t kMostSceneBytes = std::size_t{1} << 30;
 
@@ -236,8 +236,7 @@ void Recording::put_joints(env::World& world, std::uint8_t* block) {
     if (file_.row_bytes(table) != bytes) file_.damaged("'" + std::string(table) + "' has rows of another length");
     file_.read(table, next_, 1, {reinterpret_cast<std::uint8_t*>(numbers_.data()), bytes});
     try {
-      access::set(world, quantity, access::Ids(access::count(world, access::Kind::kJoint)),
-                  Span<const double>(numbers_));
+      access::set(world, access::quantity_of(quantity), access::Ids(world.model().njnt), Span<const double>(numbers_));
     } catch (const Error& error) {
       if (error.status() != Status::kInvalidArgument) throw;
       file_.damaged("'" + std::string(table) + "': " + error.message());

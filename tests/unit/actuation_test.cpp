@@ -164,7 +164,7 @@ TEST(MappedActions, GoFromMinusOneToOneLinearly) {
 TEST(Locks, HoldAJointAndLetItGo) {
   const auto world = floating();
   const int elbow = joint_id(*world, "robot:right_elbow");
-  set(*world, access::Quantity::kJointLock, {elbow}, {1, -1});
+  set(*world, MIMO_JOINT_LOCK, {elbow}, {1, -1});
   std::vector<float> actions(world->action_size());
   actions[action_index(*world, "act:right_elbow")] = 0.3f;
   run(*world, actions, 300);
@@ -172,7 +172,7 @@ TEST(Locks, HoldAJointAndLetItGo) {
   world->reset(nullptr, nullptr);
   run(*world, {}, 100);
   EXPECT_NEAR(angle(*world, "robot:right_elbow"), -1, 0.02) << "locks outlive resets";
-  set(*world, access::Quantity::kJointLock, {elbow}, Values{0, 0});
+  set(*world, MIMO_JOINT_LOCK, {elbow}, Values{0, 0});
   run(*world, actions, 100);
   EXPECT_GT(angle(*world, "robot:right_elbow"), -0.1);
 }
@@ -182,7 +182,7 @@ TEST(Locks, OfTheSceneCanBeOpened) {
   const int knee = joint_id(world, "robot:right_knee");
   run(world, {}, 50);
   EXPECT_NEAR(angle(world, "robot:right_knee"), -1.85, 0.02);
-  set(world, access::Quantity::kJointLock, {knee}, Values{0, 0});
+  set(world, MIMO_JOINT_LOCK, {knee}, Values{0, 0});
   run(world, {}, 50);
   EXPECT_GT(std::abs(angle(world, "robot:right_knee") + 1.85), 0.03);
 }
@@ -190,24 +190,20 @@ TEST(Locks, OfTheSceneCanBeOpened) {
 TEST(Locks, AreRefusedWhereThereAreNone) {
   const auto world = floating();
   expect_error(Status::kUnsupported, "mimo_orientation", [&] {
-    set(*world, access::Quantity::kJointLock, {joint_id(*world, "mimo_orientation")}, {1, 0});
+    set(*world, MIMO_JOINT_LOCK, {joint_id(*world, "mimo_orientation")}, {1, 0});
   });
-  expect_error(Status::kInvalidArgument, "from 0 to 47", [&] {
-    set(*world, access::Quantity::kJointLock, {48}, {1, 0});
-  });
+  expect_error(Status::kInvalidArgument, "from 0 to 47", [&] { set(*world, MIMO_JOINT_LOCK, {48}, {1, 0}); });
   const int elbow = joint_id(*world, "robot:right_elbow");
-  expect_error(Status::kInvalidArgument, "angle is 2", [&] {
-    set(*world, access::Quantity::kJointLock, {elbow}, {1, 2});
-  });
+  expect_error(Status::kInvalidArgument, "angle is 2", [&] { set(*world, MIMO_JOINT_LOCK, {elbow}, {1, 2}); });
   expect_error(Status::kInvalidArgument, "values[1] is nan", [&] {
-    set(*world, access::Quantity::kJointLock, {elbow}, {1, std::nan("")});
+    set(*world, MIMO_JOINT_LOCK, {elbow}, {1, std::nan("")});
   });
   const auto positioned = floating(kPosition);
   expect_error(Status::kUnsupported, "under position control", [&] {
-    set(*positioned, access::Quantity::kJointLock, {elbow}, {1, 0});
+    set(*positioned, MIMO_JOINT_LOCK, {elbow}, {1, 0});
   });
   expect_error(Status::kUnsupported, "under position control", [&] {
-    set(*positioned, access::Quantity::kJointLock, {elbow}, Values{0, 0});
+    set(*positioned, MIMO_JOINT_LOCK, {elbow}, Values{0, 0});
   });
 }
 
@@ -215,13 +211,13 @@ TEST(Locks, AreRefusedWhereThereAreNone) {
 TEST(Overrides, StayInTheirWorld) {
   const auto changed = floating(), one = floating(), two = floating();
   const int elbow = joint_id(*changed, "robot:right_elbow");
-  set(*changed, access::Quantity::kJointLock, {elbow}, {1, -1});
+  set(*changed, MIMO_JOINT_LOCK, {elbow}, {1, -1});
   const std::int32_t motor = engine::find_or_fail(changed->model(), Kind::kActuator, "act:left_elbow");
   const double gear = 7.5;
-  set(*changed, access::Quantity::kActuatorGear, {motor}, {gear});
+  set(*changed, MIMO_ACTUATOR_GEAR, {motor}, {gear});
   changed->physics().set_gravity({0, 0, -1});
-  EXPECT_EQ(get(*changed, access::Quantity::kActuatorGear, {motor}), Values{gear});
-  EXPECT_EQ(get(*one, access::Quantity::kActuatorGear, {motor}), Values{3.6});
+  EXPECT_EQ(get(*changed, MIMO_ACTUATOR_GEAR, {motor}), Values{gear});
+  EXPECT_EQ(get(*one, MIMO_ACTUATOR_GEAR, {motor}), Values{3.6});
   EXPECT_EQ(((*free_room()).*compat::kLockFlags)[engine::find_lock(*free_room(), elbow)], 0);
   const std::vector<float> actions(changed->action_size(), 0.2f);
   run(*changed, actions, 20);
@@ -235,7 +231,7 @@ TEST(Overrides, StayInTheirWorld) {
 TEST(Overrides, ShareWhatTheyDoNotChange) {
   const auto world = floating();
   EXPECT_EQ(world->model().eq_data, free_room()->eq_data);
-  set(*world, access::Quantity::kJointLock, {joint_id(*world, "robot:right_elbow")}, {1, -1});
+  set(*world, MIMO_JOINT_LOCK, {joint_id(*world, "robot:right_elbow")}, {1, -1});
   EXPECT_NE(world->model().eq_data, free_room()->eq_data);
   EXPECT_EQ(world->model().actuator_gear, free_room()->actuator_gear);
   EXPECT_EQ(world->model().body_mass, free_room()->body_mass);

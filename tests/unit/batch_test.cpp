@@ -366,7 +366,7 @@ TEST(Batch, NamedAccessStacksTheWorlds) {
   for (int n = 0; n < 5; ++n) rig.step(n);
   const std::vector<std::int32_t> ids = {4, 1};
   const access::Ids which{Span<const std::int32_t>(ids)};
-  const auto quantity = access::Quantity::kJointPosition;
+  const access::Quantity& quantity = access::quantity_of(MIMO_JOINT_POSITION);
   std::vector<double> values(6), own(2);
   rig.batch.get(quantity, which, false, nullptr, values.data());
   for (std::size_t i = 0; i < 3; ++i) {

@@ -18,10 +18,11 @@ void expect_told(env::World& world, const char* what, Deed&& deed) {
   EXPECT_EQ(world.changes() != changes, saved(world) != before) << what;
 }
 
-void set(env::World& world, access::Quantity quantity, int id, std::initializer_list<double> values) {
+void set(env::World& world, mimo_quantity quantity, int id, std::initializer_list<double> values) {
   const std::vector<double> all(values);
   const std::int32_t ids[] = {id};
-  access::set(world, quantity, access::Ids(Span<const std::int32_t>(ids, 1)), Span<const double>(all));
+  access::set(world, access::quantity_of(quantity), access::Ids(Span<const std::int32_t>(ids, 1)),
+              Span<const double>(all));
 }
 
 TEST(Changes, AreToldOfAllThatStatesHold) {
@@ -30,10 +31,10 @@ TEST(Changes, AreToldOfAllThatStatesHold) {
   const Bytes before = saved(*world);
   const std::uint64_t seed = 5;
   const std::vector<double> still(world->data().qpos, world->data().qpos + world->model().nq);
-  expect_told(*world, "joint", [&] { set(*world, access::Quantity::kJointPosition, 3, {0.1}); });
-  expect_told(*world, "gravity", [&] { set(*world, access::Quantity::kWorldGravity, 0, {0, 0, -1}); });
-  expect_told(*world, "colour", [&] { set(*world, access::Quantity::kGeomColor, 0, {1, 0, 0, 1}); });
-  expect_told(*world, "face", [&] { set(*world, access::Quantity::kAgentFace, 0, {1}); });
+  expect_told(*world, "joint", [&] { set(*world, MIMO_JOINT_POSITION, 3, {0.1}); });
+  expect_told(*world, "gravity", [&] { set(*world, MIMO_WORLD_GRAVITY, 0, {0, 0, -1}); });
+  expect_told(*world, "colour", [&] { set(*world, MIMO_GEOM_COLOR, 0, {1, 0, 0, 1}); });
+  expect_told(*world, "face", [&] { set(*world, MIMO_AGENT_FACE, 0, {1}); });
   expect_told(*world, "look", [&] { env::look_at(*world, 0, {1, 0.2, 0.5}, true); });
   expect_told(*world, "physics", [&] { world->step_physics(2); });
   expect_told(*world, "random", [&] { world->random().next(); });
@@ -54,7 +55,7 @@ TEST(Changes, AreNotToldOfWhatOnlyLooks) {
   env::look(*world, 0, {1, 0.2, 0.5}, true);
   saved(*world);
   step(*world, 2);
-  EXPECT_THROW(set(*world, access::Quantity::kJointPosition, 3, {std::numeric_limits<double>::infinity()}), Error);
+  EXPECT_THROW(set(*world, MIMO_JOINT_POSITION, 3, {std::numeric_limits<double>::infinity()}), Error);
   EXPECT_EQ(world->changes(), changes);
 }
 

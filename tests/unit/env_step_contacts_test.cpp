@@ -8,9 +8,6 @@
 namespace mimo::test {
 namespace {
 
-using access::Kind;
-using access::Quantity;
-
 constexpr double kStep = 0.001, kMass = 0.3, kGravity = 9.81;
 constexpr int kSkip = 100;  // physics steps in an environment step
 
@@ -29,24 +26,24 @@ TEST(StepContacts, ImpulseIsTheChangeOfMomentum) {
   env::World world = falling(true);
   bool bounced = false;
   for (int step = 0; step < 20; ++step) {
-    const Values before = get(world, Quantity::kJointVelocity, {0});
+    const Values before = get(world, MIMO_JOINT_VELOCITY, {0});
     world.step({}, nullptr, {});
-    const Values after = get(world, Quantity::kJointVelocity, {0});
-    const int pairs = access::count(world, Kind::kStepContact);
+    const Values after = get(world, MIMO_JOINT_VELOCITY, {0});
+    const int pairs = access::kind_of(MIMO_STEP_CONTACT).count(world);
     ASSERT_LE(pairs, 1);
-    const double impulse = pairs == 0 ? 0 : get(world, Quantity::kStepContactImpulse)[2];
+    const double impulse = pairs == 0 ? 0 : get(world, MIMO_STEP_CONTACT_IMPULSE)[2];
     const double gravity = -kMass * kGravity * kSkip * kStep;
     EXPECT_NEAR(impulse + gravity, kMass * (after[2] - before[2]), 1e-9) << step;
     if (pairs == 0) continue;
-    const double start = get(world, Quantity::kStepContactStart)[0], end = get(world, Quantity::kStepContactEnd)[0];
+    const double start = get(world, MIMO_STEP_CONTACT_START)[0], end = get(world, MIMO_STEP_CONTACT_END)[0];
     EXPECT_GE(start, 0);
     EXPECT_LT(start, end);
     EXPECT_LE(end, kSkip * kStep + 1e-12);
-    EXPECT_EQ(get(world, Quantity::kStepContactGeoms), (Values{0, 1}));
-    EXPECT_EQ(get(world, Quantity::kStepContactBodies), (Values{0, 1}));
-    EXPECT_NEAR(get(world, Quantity::kStepContactPeakPosition)[2], 0, 0.02);
-    EXPECT_GT(get(world, Quantity::kStepContactPeakForce)[2], impulse / (end - start)) << "more than on average";
-    bounced = bounced || (before[2] < -0.5 && after[2] > 0 && access::count(world, Kind::kContact) == 0);
+    EXPECT_EQ(get(world, MIMO_STEP_CONTACT_GEOMS), (Values{0, 1}));
+    EXPECT_EQ(get(world, MIMO_STEP_CONTACT_BODIES), (Values{0, 1}));
+    EXPECT_NEAR(get(world, MIMO_STEP_CONTACT_PEAK_POSITION)[2], 0, 0.02);
+    EXPECT_GT(get(world, MIMO_STEP_CONTACT_PEAK_FORCE)[2], impulse / (end - start)) << "more than on average";
+    bounced = bounced || (before[2] < -0.5 && after[2] > 0 && access::kind_of(MIMO_CONTACT).count(world) == 0);
   }
   EXPECT_TRUE(bounced) << "a contact that began and ended between two looks at the world";
 }
@@ -60,25 +57,25 @@ TEST(StepContacts, NeitherChangeAnythingNorOutliveAReset) {
   }
   recorded.step_physics(400);
   const Bytes state = saved(recorded);
-  ASSERT_GT(access::count(recorded, Kind::kStepContact), 0);
+  ASSERT_GT(access::kind_of(MIMO_STEP_CONTACT).count(recorded), 0);
   load(recorded, state);
-  EXPECT_EQ(access::count(recorded, Kind::kStepContact), 0);
+  EXPECT_EQ(access::kind_of(MIMO_STEP_CONTACT).count(recorded), 0);
   recorded.step_physics(400);
   recorded.reset(nullptr, nullptr);
-  EXPECT_EQ(access::count(recorded, Kind::kStepContact), 0);
-  expect_error(Status::kUnsupported, "set step_contacts", [&] { access::count(plain, Kind::kStepContact); });
+  EXPECT_EQ(access::kind_of(MIMO_STEP_CONTACT).count(recorded), 0);
+  expect_error(Status::kUnsupported, "set step_contacts", [&] { access::kind_of(MIMO_STEP_CONTACT).count(plain); });
 }
 
 // ---- Warnings -------------------------------------------------------------------------------------------------------
 
 double warnings(env::World& world, engine::Warning kind) {
-  return get(world, Quantity::kWarningSteps, {static_cast<std::int32_t>(kind)})[0];
+  return get(world, MIMO_WARNING_STEPS, {static_cast<std::int32_t>(kind)})[0];
 }
 
 TEST(Warnings, NoneInACleanRun) {
   const auto world = make_world(benchmark_model());
   for (int i = 0; i < 50; ++i) step(*world, i);
-  EXPECT_EQ(get(*world, Quantity::kWarningSteps), Values(engine::kWarnings, 0));
+  EXPECT_EQ(get(*world, MIMO_WARNING_STEPS), Values(engine::kWarnings, 0));
 }
 
 TEST(Warnings, CountStepsThatDropContacts) {
@@ -95,7 +92,7 @@ TEST(Warnings, CountStepsThatDropContacts) {
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed + 7);
   world.reset(nullptr, nullptr);
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), landed + 7) << "since the world was made";
-  set(world, Quantity::kWarningSteps, {static_cast<std::int32_t>(engine::Warning::kContactsDropped)}, Values{0});
+  set(world, MIMO_WARNING_STEPS, {static_cast<std::int32_t>(engine::Warning::kContactsDropped)}, Values{0});
   EXPECT_EQ(warnings(world, engine::Warning::kContactsDropped), 0);
 }
 
@@ -106,16 +103,16 @@ TEST(Warnings, SolverAtItsLimit) {
 }
 
 TEST(Warnings, Divergence) {
-  const auto fail_by = [](Quantity quantity, const Values& values) {
+  const auto fail_by = [](mimo_quantity quantity, const Values& values) {
     env::World world = falling(false);
     set(world, quantity, {0}, values);
     EXPECT_THROW(world.step({}, nullptr, {}), Error);
     world.reset(nullptr, nullptr);
-    return get(world, Quantity::kWarningSteps);
+    return get(world, MIMO_WARNING_STEPS);
   };
-  EXPECT_EQ(fail_by(Quantity::kJointPosition, {1e200, 0, 0, 1, 0, 0, 0})[3], 1);
-  EXPECT_EQ(fail_by(Quantity::kJointVelocity, {1e200, 0, 0, 0, 0, 0})[4], 1);
-  EXPECT_EQ(fail_by(Quantity::kJointForce, {1e200, 0, 0, 0, 0, 0})[5], 1);
+  EXPECT_EQ(fail_by(MIMO_JOINT_POSITION, {1e200, 0, 0, 1, 0, 0, 0})[3], 1);
+  EXPECT_EQ(fail_by(MIMO_JOINT_VELOCITY, {1e200, 0, 0, 0, 0, 0})[4], 1);
+  EXPECT_EQ(fail_by(MIMO_JOINT_FORCE, {1e200, 0, 0, 0, 0, 0})[5], 1);
 }
 
 }  // namespace

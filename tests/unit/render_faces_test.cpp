@@ -48,7 +48,7 @@ std::string face_of(const env::World& world, std::size_t agent = 0) {
 }
 
 void show(env::World& world, const char* face, std::int32_t agent = 0) {
-  set(world, access::Quantity::kAgentFace, {agent}, {static_cast<double>(id_of(world, access::Kind::kFace, face))});
+  set(world, MIMO_AGENT_FACE, {agent}, {static_cast<double>(id_of(world, MIMO_FACE, face))});
 }
 
 // Sum of the differences of all colours, 0 to 255 each.

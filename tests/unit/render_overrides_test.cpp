@@ -12,9 +12,6 @@
 namespace mimo::test {
 namespace {
 
-using access::Kind;
-using access::Quantity;
-
 constexpr int kPixels = 64;
 
 // A white ball of 20 cm before a dark wall, from a metre away; 45 degrees over 64 pixels. The one light shines from
@@ -69,7 +66,7 @@ class Overridden : public ::testing::TestWithParam<const char*> {
     world_ = std::make_unique<env::World>(stage(), std::vector<env::AgentOptions>{}, drawn_by(GetParam()));
     other_ = std::make_unique<env::World>(stage(), std::vector<env::AgentOptions>{}, drawn_by(GetParam()));
     before_ = look(*world_);
-    ball_ = id_of(*world_, Kind::kGeom, "ball");
+    ball_ = id_of(*world_, MIMO_GEOM, "ball");
   }
   void TearDown() override {
     if (other_ == nullptr) return;
@@ -83,7 +80,7 @@ class Overridden : public ::testing::TestWithParam<const char*> {
 
 TEST_P(Overridden, Colour) {
   EXPECT_EQ(before_.color()[0], before_.color()[1]) << "white";
-  set(*world_, Quantity::kGeomColor, {ball_}, {1, 0, 0.5, 1});
+  set(*world_, MIMO_GEOM_COLOR, {ball_}, {1, 0, 0.5, 1});
   const Seen seen = look(*world_);
   EXPECT_EQ(seen.color()[0], before_.color()[0]);
   EXPECT_EQ(seen.color()[1], 0);
@@ -93,7 +90,7 @@ TEST_P(Overridden, Colour) {
 // Seen from one metre, a ball of radius r covers sin(a) = r: half again as large, 1.5^2 times as many pixels, and a
 // little more for being nearer.
 TEST_P(Overridden, Size) {
-  set(*world_, Quantity::kGeomSize, {ball_}, {0.15, 0, 0});
+  set(*world_, MIMO_GEOM_SIZE, {ball_}, {0.15, 0, 0});
   const double sine[] = {0.1, 0.15};
   const auto area = [&](double s) { return s * s / (1 - s * s); };
   const double ratio = static_cast<double>(look(*world_).pixels_of(ball_)) / before_.pixels_of(ball_);
@@ -102,7 +99,7 @@ TEST_P(Overridden, Size) {
 
 // A step of 10 cm to the right at one metre is 0.1 / (2 tan 22.5 degrees) of the picture's width.
 TEST_P(Overridden, PlaceOfAFixedObject) {
-  set(*world_, Quantity::kBodyPosition, {id_of(*world_, Kind::kBody, "ball")}, {0.1, 0, 0});
+  set(*world_, MIMO_BODY_POSITION, {id_of(*world_, MIMO_BODY, "ball")}, {0.1, 0, 0});
   const Seen seen = look(*world_);
   const double shift = 0.1 / (2 * std::tan(mjPI / 8)) * kPixels;
   double moved = 0, was = 0;
@@ -114,7 +111,7 @@ TEST_P(Overridden, PlaceOfAFixedObject) {
 }
 
 TEST_P(Overridden, LightsColour) {
-  set(*world_, Quantity::kLightColor, {0}, {0, 0.6, 0});
+  set(*world_, MIMO_LIGHT_COLOR, {0}, {0, 0.6, 0});
   const Seen seen = look(*world_);
   EXPECT_EQ(seen.color()[1], before_.color()[1]);
   EXPECT_NEAR(seen.color()[0], before_.color()[0] * 0.2 / 0.8, 4) << "ambient light alone";
@@ -122,8 +119,8 @@ TEST_P(Overridden, LightsColour) {
 
 TEST_P(Overridden, LightsPlaceAndDirection) {
   EXPECT_NEAR(before_.right(5)[0], before_.left(5)[0], 2) << "lit from where one looks";
-  set(*world_, Quantity::kLightPosition, {0}, {2, 0, 0});
-  set(*world_, Quantity::kLightDirection, {0}, {-1, 0, 0});
+  set(*world_, MIMO_LIGHT_POSITION, {0}, {2, 0, 0});
+  set(*world_, MIMO_LIGHT_DIRECTION, {0}, {-1, 0, 0});
   const Seen seen = look(*world_);
   EXPECT_GT(seen.right(5)[0], seen.left(5)[0] + 40) << "lit from the right";
 }

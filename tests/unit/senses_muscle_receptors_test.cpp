@@ -41,7 +41,7 @@ void step(env::World& world, Observation& block, double seconds) {
   for (int i = 0; i < std::lround(seconds / world.step_seconds()); ++i) world.step({}, block.data(), {});
 }
 
-constexpr auto kDrive = access::Quantity::kActuatorFusimotorDrive;
+constexpr auto kDrive = MIMO_ACTUATOR_FUSIMOTOR_DRIVE;
 const Values kUsual = {70, 70, 70, 70}, kNone = {0, 0, 0, 0};
 
 // A third of the way up the joint's range the muscle that pulls down is a third of the way up its own, at 0.9 L0, the
