@@ -72,6 +72,11 @@ function mimo_quantities()
 %     world_gravity               World: 3, m/s^2, world frame. Writable, W.
 %     body_nerve_length           Body: 1, m, how long nerves are from the middle of this part of an infant to its head,
 %                                 through the joints on their way; 0 for what is no part of one. Experimental.
+%     body_inertial               Body: 9, what inertial sensors in the origin of its frame read, in that frame:
+%                                 acceleration with gravity's (m/s^2; at rest 9.81 upwards, in free fall 0), angular
+%                                 velocity (rad/s), angular acceleration (rad/s^2). With a, w and b for these, a sensor
+%                                 at the point p of the body reads the acceleration a + b x p + w x (w x p). Physics
+%                                 steps compute it. Experimental.
 %     actuator_fusimotor_drive    Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic
 %                                 and static of the one that pulls to the negative side, then of the other; until you
 %                                 change it or the world is reset, 70 each. None where its agent senses no spindles,

@@ -10,6 +10,7 @@
 #include "body/nerves.h"
 #include "engine/contacts.h"
 #include "engine/ground.h"
+#include "engine/motion.h"
 #include "engine/overrides.h"
 #include "senses/fusimotor_drives.h"
 
@@ -103,6 +104,13 @@ void set_masses(World& world, const Ids& ids, Span<const double> masses) {
   std::vector<std::int32_t> bodies;
   for (std::size_t i = 0; i < ids.size(); ++i) bodies.push_back(ids[i]);
   world.physics().set_masses(bodies, masses);
+}
+
+void read_inertial(const Element& body, double* to) {
+  const engine::Motion motion = engine::motion_of(body.model, body.data, {engine::Kind::kBody, body.id});
+  copy(motion.acceleration, to);
+  copy(motion.angular_velocity, to + 3);
+  copy(motion.angular_acceleration, to + 6);
 }
 
 // ---- Joints ---------------------------------------------------------------------------------------------------------
@@ -288,6 +296,7 @@ constexpr Quantity kTable[] = {
              Moves{}),
     QUANTITY(MIMO_BODY_NERVE_LENGTH, 1, In{"m"},
              Computed{[](const Element& one, double* to) { *to = body::nerve_length(one.model, one.id); }}),
+    QUANTITY(MIMO_BODY_INERTIAL, 9, Frame{"body"}, kStep, Computed{read_inertial}),
 
     QUANTITY(MIMO_JOINT_POSITION, position_count, In{"rad", "m"}, stored_at<&mjData::qpos, &mjModel::jnt_qposadr>,
              Written{kState, set_joint_position, check_joint_position}, Moves{}),

@@ -50,6 +50,7 @@ const std::string_view kNames[] = {
     "MIMO_BODY",
     "MIMO_BODY_CENTER_OF_MASS",
     "MIMO_BODY_FORCE",
+    "MIMO_BODY_INERTIAL",
     "MIMO_BODY_MASS",
     "MIMO_BODY_NERVE_LENGTH",
     "MIMO_BODY_ORIENTATION",

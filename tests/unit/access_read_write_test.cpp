@@ -278,6 +278,28 @@ TEST_F(EnvAccess, AbsurdPositionsFailTheWorld) {
   physics_.step(1);
 }
 
+// A weight on a turntable, half a metre from its axle, at 3 rad/s: it is drawn inwards by w^2 r, carried against
+// gravity, and a torque of as much as its inertia, m (r^2 + 0.4 a^2), speeds it up by 1 rad/s^2.
+TEST(EnvInertial, IsWhatASensorOnATurntableReads) {
+  env::World world(
+      compiled("<mujoco><option timestep='0.001'/><worldbody><body name='table'><joint axis='0 0 1'/>"
+               "<body name='weight' pos='0.5 0 0'><geom size='0.1' mass='2'/></body></body>"
+               "<body name='falling' pos='0 0 9'><freejoint/><geom size='0.1'/></body></worldbody></mujoco>"),
+      {}, {});
+  const auto inertial = [&world](const char* body) {
+    return get(world, MIMO_BODY_INERTIAL, {id_of(world, MIMO_BODY, body)});
+  };
+  set(world, MIMO_JOINT_VELOCITY, {0}, {3});
+  set(world, MIMO_JOINT_FORCE, {0}, {2 * (0.5 * 0.5 + 0.4 * 0.1 * 0.1)});
+  world.physics().step(1);
+  EXPECT_TRUE(close({-9 * 0.5, 0.5, 9.81, 0, 0, 3, 0, 0, 1}, inertial("weight").data()));
+  EXPECT_TRUE(close({0, 0, 9.81, 0, 0, 3, 0, 0, 1}, inertial("table").data())) << "on the axle";
+  EXPECT_TRUE(close({0, 0, 0, 0, 0, 0, 0, 0, 0}, inertial("falling").data()));
+  EXPECT_TRUE(close({0, 0, 9.81, 0, 0, 0, 0, 0, 0}, inertial("world").data()));
+  world.physics().step(524);  // a quarter of a turn: the sensor turns with its body
+  EXPECT_NEAR(inertial("weight")[0], -std::pow(3 + 0.524, 2) * 0.5, 1e-2);
+}
+
 // A ball at rest carries its weight: along the contact's normal, which points from geom 1 to geom 2.
 TEST(EnvContacts, BallAtRestCarriesItsWeight) {
   env::World world(

@@ -507,6 +507,11 @@ namespace Mimo
         /// <summary>Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the
         /// joints on their way; 0 for what is no part of one.</summary>
         BodyNerveLength = 0x108,
+        /// <summary>Body: 9, what inertial sensors in the origin of its frame read, in that frame: acceleration with
+        /// gravity's (m/s^2; at rest 9.81 upwards, in free fall 0), angular velocity (rad/s), angular acceleration
+        /// (rad/s^2). With a, w and b for these, a sensor at the point p of the body reads the acceleration a + b x p +
+        /// w x (w x p). Physics steps compute it.</summary>
+        BodyInertial = 0x109,
         /// <summary>Joint: 1 (hinge rad, slide m), 4 (ball, quaternion) or 7 (free). Writable.</summary>
         JointPosition = 0x201,
         /// <summary>Joint: 1, 3 or 6. Writable.</summary>

@@ -24,6 +24,7 @@ class Bodies(Selection):
     center_of_mass = Values(Quantity.BODY_CENTER_OF_MASS)
     pose = WritableValues(Quantity.BODY_POSE)
     nerve_length = Values(Quantity.BODY_NERVE_LENGTH)
+    inertial = Values(Quantity.BODY_INERTIAL)
 
 
 class Joints(Selection):
