@@ -1,4 +1,4 @@
-// format("size {} of {}", a, b), join(list, ", ") and some_of(names): texts.
+// begins_with(text, "robot:"), format("size {} of {}", a, b), join(list, ", ") and some_of(names): texts.
 #pragma once
 
 // The small part of fmt. The rest is compiled once, in format.cpp, and not into every file that includes this; most of
@@ -6,9 +6,14 @@
 #include <fmt/core.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mimo {
+
+inline bool begins_with(std::string_view text, std::string_view beginning) {
+  return text.substr(0, beginning.size()) == beginning;
+}
 
 std::string format_arguments(fmt::string_view format, fmt::format_args arguments);
 

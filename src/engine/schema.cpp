@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <optional>
 #include <vector>
 
 #include "base/fail.h"
@@ -72,14 +73,15 @@ SchemaElement made() {
   return root;
 }
 
+std::optional<SchemaElement> known;  // under the lock
+
 }  // namespace
 
-// fork() waits for the lock: in a child, neither MuJoCo's own, which printing takes, nor that of a half made static
-// would ever open.
+// fork() waits for the lock: in a child, MuJoCo's own, which printing takes, would never open.
 const SchemaElement& schema() {
   const CompileLock lock;
-  static const SchemaElement root = made();
-  return root;
+  if (!known) known = made();
+  return *known;
 }
 
 bool is_mujoco_2() { return mj_version() / 100 == 2; }

@@ -5,8 +5,6 @@
 namespace mimo::growth {
 namespace {
 
-constexpr double kBase = 18;  // months
-
 double median(Measure measure, double age) { return who(measure, Sex::kMean, age, 0); }
 
 }  // namespace

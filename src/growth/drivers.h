@@ -5,6 +5,8 @@
 
 namespace mimo::growth {
 
+constexpr double kBase = 18;  // months: the age of the body that others grow from
+
 struct Drivers {
   double length;  // cm, as the WHO's
   double weight;  // kg

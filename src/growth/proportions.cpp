@@ -10,8 +10,6 @@
 namespace mimo::growth {
 namespace {
 
-constexpr double kBase = 18;  // months
-
 // Exponents of the length ratio. Estimated: fitted to the eight youngest groups of Snyder et al. 1977, UM-HSRI-77-17,
 // within 2 to 5 %. Single studies of newborns, which were left out, agree.
 constexpr double kUpperArm = 1.04;
@@ -66,8 +64,8 @@ double sole_height(const Skeleton& base) {
 // Sitting height over length, mean of the sexes, of the Dutch Growth Study 1997 (Fredriks et al. 2000-2005). From a
 // single copy.
 double sitting_share(double age) {
-  static const Curve share({0, 3, 6, 9, 12, 15, 18, 21, 24},
-                           {0.6923, 0.6825, 0.6714, 0.6599, 0.6482, 0.6364, 0.6248, 0.6133, 0.6024});
+  constexpr Curve share({0, 3, 6, 9, 12, 15, 18, 21, 24},
+                        {0.6923, 0.6825, 0.6714, 0.6599, 0.6482, 0.6364, 0.6248, 0.6133, 0.6024});
   return share(age);
 }
 

@@ -1,6 +1,7 @@
 #include "growth/range.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +22,8 @@ struct Mark {
 struct Limit {
   std::string_view joint;
   Side side;
-  std::vector<Mark> marks;
+  std::array<Mark, 4> marks;  // the first so many
+  std::size_t count;
   double grown_out;       // months
   bool from_base;         // angles are to be added to the base's limit
   bool moves_the_spring;  // as far as the limit
@@ -31,16 +33,13 @@ struct Limit {
 // Coon et al. 1975 at 6 weeks and 3 months (verified). Elbows: Shah et al. 2017 for newborns (verified), then
 // estimated. Ankles of newborns: Waugh et al. 1983 (that the foot bends further up and less down is verified; how far,
 // estimated).
-const std::vector<Limit>& limits() {
-  static const std::vector<Limit> limits = {
-      {"knee", kUpper, {{0, -21.4}, {3, -10.7}, {6, -3.3}}, 12, false, true},
-      {"hip1", kUpper, {{0, -30}, {1.4, -19}, {3, -7}, {9, 0}}, 12, false, true},
-      {"elbow", kUpper, {{0, -19}, {3, -7}}, 9, false, true},
-      {"foot1", kUpper, {{0, 30}}, 12, true, false},
-      {"foot1", kLower, {{0, -25}}, 12, false, false},
-  };
-  return limits;
-}
+constexpr Limit kLimits[] = {
+    {"knee", kUpper, {{{0, -21.4}, {3, -10.7}, {6, -3.3}}}, 3, 12, false, true},
+    {"hip1", kUpper, {{{0, -30}, {1.4, -19}, {3, -7}, {9, 0}}}, 4, 12, false, true},
+    {"elbow", kUpper, {{{0, -19}, {3, -7}}}, 2, 9, false, true},
+    {"foot1", kUpper, {{{0, 30}}}, 1, 12, true, false},
+    {"foot1", kLower, {{{0, -25}}}, 1, 12, false, false},
+};
 
 double between(const Mark& a, const Mark& b, double age) {
   return a.angle + (b.angle - a.angle) * (age - a.age) / (b.age - a.age);
@@ -48,7 +47,7 @@ double between(const Mark& a, const Mark& b, double age) {
 
 // In degrees, at an age before it is grown out.
 double limit_at(const Limit& limit, double base, double age) {
-  std::vector<Mark> marks = limit.marks;
+  std::vector<Mark> marks(limit.marks.begin(), limit.marks.begin() + limit.count);
   for (Mark& mark : marks) mark.angle += limit.from_base ? base : 0;
   marks.push_back({limit.grown_out, base});
   const auto next = std::find_if(marks.begin() + 1, marks.end(), [&](const Mark& mark) { return age < mark.age; });
@@ -69,7 +68,7 @@ void apply(const Limit& limit, const Growth& growth, Joint& joint) {
 void limit(Skeleton& body, const Growth& growth) {
   for (Bone& bone : body.bones) {
     for (Joint& joint : bone.joints) {
-      for (const Limit& limit : limits()) {
+      for (const Limit& limit : kLimits) {
         if (plain_name(joint.name) == limit.joint) apply(limit, growth, joint);
       }
     }

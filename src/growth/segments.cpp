@@ -1,7 +1,8 @@
 #include "growth/segments.h"
 
-#include <string>
-#include <unordered_map>
+#include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "base/fail.h"
 #include "growth/parts.h"
@@ -9,28 +10,25 @@
 namespace mimo::growth {
 namespace {
 
-using Table = std::unordered_map<std::string_view, Segment>;
-
-Table make_table() {
-  Table table = {{"mimo_location", Segment::kTrunk}, {"hip", Segment::kTrunk},         {"lower_body", Segment::kTrunk},
-                 {"upper_body", Segment::kTrunk},    {"head", Segment::kHead},         {"eye", Segment::kHead},
-                 {"upper_arm", Segment::kUpperArm},  {"lower_arm", Segment::kForearm}, {"upper_leg", Segment::kThigh},
-                 {"lower_leg", Segment::kShank},     {"foot", Segment::kFoot},         {"toes", Segment::kFoot},
-                 {"big_toe", Segment::kFoot}};
-  for (const char* bone :
-       {"hand", "fingers", "ffknuckle", "ffmiddle", "ffdistal", "mfknuckle", "mfmiddle", "mfdistal", "rfknuckle",
-        "rfmiddle", "rfdistal", "lfmetacarpal", "lfknuckle", "lfmiddle", "lfdistal", "thbase", "thhub", "thdistal"}) {
-    table[bone] = Segment::kHand;
-  }
-  return table;
-}
+constexpr std::pair<std::string_view, Segment> kTable[] = {
+    {"mimo_location", Segment::kTrunk}, {"hip", Segment::kTrunk},         {"lower_body", Segment::kTrunk},
+    {"upper_body", Segment::kTrunk},    {"head", Segment::kHead},         {"eye", Segment::kHead},
+    {"upper_arm", Segment::kUpperArm},  {"lower_arm", Segment::kForearm}, {"upper_leg", Segment::kThigh},
+    {"lower_leg", Segment::kShank},     {"foot", Segment::kFoot},         {"toes", Segment::kFoot},
+    {"big_toe", Segment::kFoot},        {"hand", Segment::kHand},         {"fingers", Segment::kHand},
+    {"ffknuckle", Segment::kHand},      {"ffmiddle", Segment::kHand},     {"ffdistal", Segment::kHand},
+    {"mfknuckle", Segment::kHand},      {"mfmiddle", Segment::kHand},     {"mfdistal", Segment::kHand},
+    {"rfknuckle", Segment::kHand},      {"rfmiddle", Segment::kHand},     {"rfdistal", Segment::kHand},
+    {"lfmetacarpal", Segment::kHand},   {"lfknuckle", Segment::kHand},    {"lfmiddle", Segment::kHand},
+    {"lfdistal", Segment::kHand},       {"thbase", Segment::kHand},       {"thhub", Segment::kHand},
+    {"thdistal", Segment::kHand}};
 
 }  // namespace
 
 Segment segment_of(std::string_view bone) {
-  static const Table table = make_table();
-  const auto found = table.find(without_side(bone));
-  if (found != table.end()) return found->second;
+  const std::string_view name = without_side(bone);
+  const auto* found = std::find_if(std::begin(kTable), std::end(kTable), [&](auto& row) { return row.first == name; });
+  if (found != std::end(kTable)) return found->second;
   fail(Status::kUnsupported, "the infant has a body \"{}\", and growth knows none of that name", bone);
 }
 

@@ -13,8 +13,6 @@
 namespace mimo::growth {
 namespace {
 
-constexpr double kBase = 18;  // months
-
 // What goes with the volume of the muscles in a geom: cross-section times length, of limbs without the round ends.
 double bulk(const Skeleton& skeleton, const std::string& name) {
   for (const Bone& bone : skeleton.bones) {
@@ -69,7 +67,7 @@ class Strength {
 
 // From head lag, which is there before 3 months and gone at 4, and from the head held in line at 2.
 double neck_ratio(double age) {
-  static const Curve ratio({0, 1, 2, 3, 4, 6, 9, 12, 18, 24}, {0.5, 0.75, 1.0, 1.3, 1.5, 2.0, 2.5, 2.8, 3.04, 3.1});
+  constexpr Curve ratio({0, 1, 2, 3, 4, 6, 9, 12, 18, 24}, {0.5, 0.75, 1.0, 1.3, 1.5, 2.0, 2.5, 2.8, 3.04, 3.1});
   return ratio(age);
 }
 

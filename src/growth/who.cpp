@@ -9,45 +9,30 @@
 namespace mimo::growth {
 namespace {
 
-Curve monthly(const Monthly& values) {
-  std::vector<double> months(values.size());
+// One of a standard's three numbers at an age.
+double at(const Monthly& values, double age) {
+  Monthly months{};
   std::iota(months.begin(), months.end(), 0);
-  return {months, {values.begin(), values.end()}};
+  return Curve(months, values)(age);
 }
 
-// A standard: the three numbers by age.
-class Standard {
- public:
-  explicit Standard(const LmsTable& table) : l_(monthly(table[0])), m_(monthly(table[1])), s_(monthly(table[2])) {}
-
-  // Cole and Green, Statistics in Medicine 11 (1992) 1305-1319.
-  double operator()(double age, double z) const {
-    const double l = l_(age), m = m_(age), s = s_(age);
-    return l == 0 ? m * std::exp(s * z) : m * std::pow(1 + l * s * z, 1 / l);
-  }
-
- private:
-  Curve l_, m_, s_;
-};
-
-const Standard& standard(Measure measure, Sex sex) {
-  static const Standard length[] = {Standard(kLengthFemale), Standard(kLengthMale)};
-  static const Standard weight[] = {Standard(kWeightFemale), Standard(kWeightMale)};
-  static const Standard head[] = {Standard(kHeadFemale), Standard(kHeadMale)};
-  const int column = sex == Sex::kMale ? 1 : 0;
+const LmsTable& table(Measure measure, Sex sex) {
   switch (measure) {
-    case Measure::kLength: return length[column];
-    case Measure::kWeight: return weight[column];
+    case Measure::kLength: return sex == Sex::kMale ? kLengthMale : kLengthFemale;
+    case Measure::kWeight: return sex == Sex::kMale ? kWeightMale : kWeightFemale;
     case Measure::kHead: break;
   }
-  return head[column];
+  return sex == Sex::kMale ? kHeadMale : kHeadFemale;
 }
 
 }  // namespace
 
 double who(Measure measure, Sex sex, double age, double z) {
-  if (sex != Sex::kMean) return standard(measure, sex)(age, z);
-  return (who(measure, Sex::kFemale, age, z) + who(measure, Sex::kMale, age, z)) / 2;
+  if (sex == Sex::kMean) return (who(measure, Sex::kFemale, age, z) + who(measure, Sex::kMale, age, z)) / 2;
+  const auto& [of_l, of_m, of_s] = table(measure, sex);
+  const double l = at(of_l, age), m = at(of_m, age), s = at(of_s, age);
+  // Cole and Green, Statistics in Medicine 11 (1992) 1305-1319.
+  return l == 0 ? m * std::exp(s * z) : m * std::pow(1 + l * s * z, 1 / l);
 }
 
 }  // namespace mimo::growth

@@ -29,13 +29,14 @@ LightTables::LightTables() {
     // The rest, so that greys are exactly as bright as before.
     green_[i] = static_cast<Light>(light_[i] - red_[i] - blue_[i]);
   }
+  const auto above = [](std::size_t level) {
+    return kBlack + std::round(kRange * linear((static_cast<double>(level) + 0.5) / 255));
+  };
   std::size_t level = 0;
+  double next = above(0);
   for (std::size_t i = 0; i < level_.size(); ++i) {
     const auto middle = static_cast<double>(4 * i) + 1.5;
-    const auto above = [](std::size_t at) {
-      return kBlack + std::round(kRange * linear((static_cast<double>(at) + 0.5) / 255));
-    };
-    while (level < 255 && middle >= above(level)) ++level;
+    while (level < 255 && middle >= next) next = above(++level);
     level_[i] = static_cast<std::uint8_t>(level);
   }
 }
@@ -77,10 +78,7 @@ void LightTables::encode_grey(const Light* grey, std::size_t width, std::uint8_t
   for (; x < width; ++x) std::fill_n(rgb + 3 * x, 3, level(grey[x]));
 }
 
-const LightTables& light_tables() {
-  static const LightTables tables;
-  return tables;
-}
+const LightTables light_tables;
 
 // In two halves, since 16 bits with a sign hold weights below a half; one rounds down, the other up.
 void fade(Light* red, Light* green, Light* blue, std::size_t width, double grey) {

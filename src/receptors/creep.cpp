@@ -15,7 +15,9 @@ double share_of(double w) {
   double y = std::min(w, std::pow(w, kExponent));
   for (int i = 0; i < 60; ++i) {
     const double rest = std::pow(y, 1 / kExponent - 1);
-    y -= (y * rest + y - w) / (rest / kExponent + 1);
+    const double next = y - (y * rest + y - w) / (rest / kExponent + 1);
+    if (next == y) break;
+    y = next;
   }
   return std::pow(y, 1 / kExponent) / w;
 }
@@ -31,27 +33,12 @@ double between(const Table& table, double x) {
 
 }  // namespace
 
-Creep::Creep(double tick, double stiffness)
-    : force_(stiffness * std::pow(tick, kExponent)), shares_(shares()), powers_(powers()) {}
-
-const Creep::Table& Creep::shares() {
-  static const Table table = [] {
-    Table made{};
-    for (std::size_t i = 1; i < kSteps; ++i)
-      made[i] = share_of(static_cast<double>(i) / static_cast<double>(kSteps - i));
-    made[kSteps] = 1;
-    return made;
-  }();
-  return table;
-}
-
-const Creep::Table& Creep::powers() {
-  static const Table table = [] {
-    Table made{};
-    for (std::size_t i = 0; i <= kSteps; ++i) made[i] = std::pow(static_cast<double>(i) / kSteps, kTogether);
-    return made;
-  }();
-  return table;
+Creep::Creep(double tick, double stiffness) : force_(stiffness * std::pow(tick, kExponent)) {
+  for (std::size_t i = 1; i < kSteps; ++i) {
+    shares_[i] = share_of(static_cast<double>(i) / static_cast<double>(kSteps - i));
+  }
+  shares_[kSteps] = 1;
+  for (std::size_t i = 0; i <= kSteps; ++i) powers_[i] = std::pow(static_cast<double>(i) / kSteps, kTogether);
 }
 
 double Creep::ease(double damping) const { return std::pow(force_ / damping, kTogether); }

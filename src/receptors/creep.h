@@ -16,7 +16,7 @@ namespace mimo::receptors {
 
 class Creep {
  public:
-  // T in seconds, k in force / L0.
+  // T in seconds, k in force / L0. Makes tables, which takes a while.
   Creep(double tick, double stiffness);
 
   // What `moved` takes of beta: (k T^0.3 / beta)^(10/7). Costly.
@@ -28,12 +28,9 @@ class Creep {
   static constexpr std::size_t kSteps = 1024;
   using Table = std::array<double, kSteps + 1>;
 
-  static const Table& shares();  // m / p, at w / (1 + w) = 0 to 1
-  static const Table& powers();  // x^(10/7), at x = 0 to 1
-
-  double force_;  // k T^0.3
-  const Table& shares_;
-  const Table& powers_;
+  double force_;    // k T^0.3
+  Table shares_{};  // m / p, at w / (1 + w) = 0 to 1
+  Table powers_{};  // x^(10/7), at x = 0 to 1
 };
 
 }  // namespace mimo::receptors

@@ -1,5 +1,6 @@
 #include "recording/build.h"
 
+#include <atomic>
 #include <cstdint>
 #include <fstream>
 #include <vector>
@@ -22,10 +23,14 @@ std::uint64_t hash_of_library() {
   return hash.value();
 }
 
+// Reading the library takes a while, so each process does it once; threads that do it at the same time agree.
+std::atomic<std::uint64_t> known_hash{0};
+
 }  // namespace
 
 std::string build_name(const std::string& versions) {
-  static const std::uint64_t hash = hash_of_library();
+  std::uint64_t hash = known_hash;
+  if (hash == 0) known_hash = hash = hash_of_library();
   return format("{}, build {:016x}", versions, hash);
 }
 

@@ -30,20 +30,12 @@ std::optional<Library>& place() {
   return loaded;
 }
 
+std::atomic<bool> failed{false};
+
 // Damaged files leave something in HDF5 that it cannot close when the process ends, about which it would complain on
 // the host's error stream. It is quiet then, where a call of ours has failed.
-class Farewell {
- public:
-  ~Farewell() {
-    if (failed) library().SetErrorPrinter(0, nullptr, nullptr);
-  }
-  std::atomic<bool> failed{false};
-};
-
-// Made after HDF5 has started, so that it goes before HDF5 ends.
-Farewell& farewell() {
-  static Farewell made;
-  return made;
+void be_quiet_at_the_end() {
+  if (failed) library().SetErrorPrinter(0, nullptr, nullptr);
 }
 
 void* open_named(const std::string& path, const char* source) {
@@ -79,68 +71,6 @@ void find(void* handle, Function& function, const char* name) {
 
 void find_id(void* handle, Id& id, const char* name) { id = *static_cast<const Id*>(address(handle, name)); }
 
-void find_files(void* handle, Library& h5) {
-  find(handle, h5.FilterAvailable, "H5Zfilter_avail");
-  find(handle, h5.GetPlugins, "H5PLget_loading_state");
-  find(handle, h5.SetPlugins, "H5PLset_loading_state");
-  find(handle, h5.CreateFile, "H5Fcreate");
-  find(handle, h5.OpenFile, "H5Fopen");
-  find(handle, h5.CloseFile, "H5Fclose");
-  find(handle, h5.FileOfSystem, "H5Fget_vfd_handle");
-  find(handle, h5.Flush, "H5Fflush");
-  find(handle, h5.StartSwmrWrite, "H5Fstart_swmr_write");
-  find(handle, h5.CreateProperties, "H5Pcreate");
-  find(handle, h5.CloseProperties, "H5Pclose");
-  find(handle, h5.SetVersions, "H5Pset_libver_bounds");
-  find(handle, h5.SetReadAttempts, "H5Pset_metadata_read_attempts");
-  find(handle, h5.SetChunk, "H5Pset_chunk");
-  find(handle, h5.SetDeflate, "H5Pset_deflate");
-  find(handle, h5.SetShuffle, "H5Pset_shuffle");
-  find(handle, h5.SetCreateGroups, "H5Pset_create_intermediate_group");
-  find(handle, h5.Layout, "H5Pget_layout");
-  find(handle, h5.Chunk, "H5Pget_chunk");
-  find(handle, h5.ExternalFiles, "H5Pget_external_count");
-  find(handle, h5.FilterCount, "H5Pget_nfilters");
-  find(handle, h5.Filter, "H5Pget_filter2");
-}
-
-void find_shapes(void* handle, Library& h5) {
-  find(handle, h5.CreateSimpleSpace, "H5Screate_simple");
-  find(handle, h5.CreateSpace, "H5Screate");
-  find(handle, h5.CloseSpace, "H5Sclose");
-  find(handle, h5.SelectHyperslab, "H5Sselect_hyperslab");
-  find(handle, h5.Points, "H5Sget_simple_extent_npoints");
-  find(handle, h5.Dimensions, "H5Sget_simple_extent_ndims");
-  find(handle, h5.Extents, "H5Sget_simple_extent_dims");
-  find(handle, h5.CopyType, "H5Tcopy");
-  find(handle, h5.SetTypeSize, "H5Tset_size");
-  find(handle, h5.TypeSize, "H5Tget_size");
-  find(handle, h5.TypeClass, "H5Tget_class");
-  find(handle, h5.SameType, "H5Tequal");
-  find(handle, h5.IsVariableText, "H5Tis_variable_str");
-  find(handle, h5.CloseType, "H5Tclose");
-}
-
-void find_contents(void* handle, Library& h5) {
-  find(handle, h5.CreateDataset, "H5Dcreate2");
-  find(handle, h5.OpenDataset, "H5Dopen2");
-  find(handle, h5.CloseDataset, "H5Dclose");
-  find(handle, h5.SetExtent, "H5Dset_extent");
-  find(handle, h5.DatasetSpace, "H5Dget_space");
-  find(handle, h5.DatasetType, "H5Dget_type");
-  find(handle, h5.DatasetProperties, "H5Dget_create_plist");
-  find(handle, h5.Write, "H5Dwrite");
-  find(handle, h5.Read, "H5Dread");
-  find(handle, h5.CreateAttribute, "H5Acreate2");
-  find(handle, h5.OpenAttribute, "H5Aopen");
-  find(handle, h5.CloseAttribute, "H5Aclose");
-  find(handle, h5.AttributeType, "H5Aget_type");
-  find(handle, h5.AttributeSpace, "H5Aget_space");
-  find(handle, h5.WriteAttribute, "H5Awrite");
-  find(handle, h5.ReadAttribute, "H5Aread");
-  find(handle, h5.HasLink, "H5Lexists");
-}
-
 void find_constants(void* handle, Library& h5) {
   find_id(handle, h5.u8, "H5T_NATIVE_UINT8_g");
   find_id(handle, h5.i32, "H5T_NATIVE_INT32_g");
@@ -168,19 +98,14 @@ void find_link_info(void* handle, Library& h5) {
 
 Library find_all(void* handle) {
   Library h5 = {};
-  find(handle, h5.Open, "H5open");
-  find(handle, h5.LibraryVersion, "H5get_libversion");
-  find(handle, h5.GetErrorPrinter, "H5Eget_auto2");
-  find(handle, h5.SetErrorPrinter, "H5Eset_auto2");
-  find(handle, h5.ClearErrors, "H5Eclear2");
-  find(handle, h5.WalkErrors, "H5Ewalk2");
+#define MIMO_FOUND(name, symbol, returned, taken) find(handle, h5.name, symbol);
+  MIMO_HDF5_FIRST(MIMO_FOUND)
   unsigned major = 0, minor = 0, release = 0;
   if (h5.Open() < 0 || h5.LibraryVersion(&major, &minor, &release) < 0 || (major == 1 && minor < 10)) {
     fail(Status::kUnsupported, "recordings need HDF5 1.10 or later, and {}.{} was found", major, minor);
   }
-  find_files(handle, h5);
-  find_shapes(handle, h5);
-  find_contents(handle, h5);
+  MIMO_HDF5_FUNCTIONS(MIMO_FOUND)
+#undef MIMO_FOUND
   find_link_info(handle, h5);
   find_constants(handle, h5);
   h5.deflate = h5.FilterAvailable(kDeflate) > 0;
@@ -214,7 +139,7 @@ void load(const std::string& path) {
   }
   static_cast<void>(std::make_unique<char[]>(kStartBytes));
   place() = find_all(open_first(path));
-  farewell();
+  std::atexit(be_quiet_at_the_end);  // now that HDF5 has started, so that it runs before HDF5 ends
 }
 
 const Library& library() {
@@ -240,7 +165,7 @@ void Turn::begin() {
 Turn::~Turn() {
   if (!mine()) return;
   const Library& h5 = library();
-  if (std::uncaught_exceptions() > 0) farewell().failed = true;
+  if (std::uncaught_exceptions() > 0) failed = true;
   h5.ClearErrors(0);
   h5.SetPlugins(plugins_);
   h5.SetErrorPrinter(0, printer_, data_);

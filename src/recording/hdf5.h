@@ -36,66 +36,76 @@ struct LinkInfo {
   unsigned char rest[124];
 };
 
+// Functions, as our name, HDF5's, and what it returns and takes. The first ones are those of all versions.
+#define MIMO_HDF5_FIRST(ROW)                                                      \
+  ROW(Open, "H5open", int, ())                                                    \
+  ROW(LibraryVersion, "H5get_libversion", int, (unsigned*, unsigned*, unsigned*)) \
+  ROW(GetErrorPrinter, "H5Eget_auto2", int, (Id, ErrorPrinter*, void**))          \
+  ROW(SetErrorPrinter, "H5Eset_auto2", int, (Id, ErrorPrinter, void*))            \
+  ROW(ClearErrors, "H5Eclear2", int, (Id))                                        \
+  ROW(WalkErrors, "H5Ewalk2", int, (Id, int, int (*)(unsigned, const Problem*, void*), void*))
+
+#define MIMO_HDF5_FUNCTIONS(ROW)                                                                                  \
+  ROW(FilterAvailable, "H5Zfilter_avail", int, (int))                                                             \
+  ROW(GetPlugins, "H5PLget_loading_state", int, (unsigned*))                                                      \
+  ROW(SetPlugins, "H5PLset_loading_state", int, (unsigned))                                                       \
+  ROW(CreateFile, "H5Fcreate", Id, (const char*, unsigned, Id, Id))                                               \
+  ROW(OpenFile, "H5Fopen", Id, (const char*, unsigned, Id))                                                       \
+  ROW(CloseFile, "H5Fclose", int, (Id))                                                                           \
+  ROW(FileOfSystem, "H5Fget_vfd_handle", int, (Id, Id, void**))                                                   \
+  ROW(Flush, "H5Fflush", int, (Id, int))                                                                          \
+  ROW(StartSwmrWrite, "H5Fstart_swmr_write", int, (Id))                                                           \
+  ROW(CreateProperties, "H5Pcreate", Id, (Id))                                                                    \
+  ROW(CloseProperties, "H5Pclose", int, (Id))                                                                     \
+  ROW(SetVersions, "H5Pset_libver_bounds", int, (Id, int, int))                                                   \
+  ROW(SetReadAttempts, "H5Pset_metadata_read_attempts", int, (Id, unsigned))                                      \
+  ROW(SetChunk, "H5Pset_chunk", int, (Id, int, const Size*))                                                      \
+  ROW(SetDeflate, "H5Pset_deflate", int, (Id, unsigned))                                                          \
+  ROW(SetShuffle, "H5Pset_shuffle", int, (Id))                                                                    \
+  ROW(SetCreateGroups, "H5Pset_create_intermediate_group", int, (Id, unsigned))                                   \
+  ROW(Layout, "H5Pget_layout", int, (Id))                                                                         \
+  ROW(Chunk, "H5Pget_chunk", int, (Id, int, Size*))                                                               \
+  ROW(ExternalFiles, "H5Pget_external_count", int, (Id))                                                          \
+  ROW(FilterCount, "H5Pget_nfilters", int, (Id))                                                                  \
+  ROW(Filter, "H5Pget_filter2", int,                                                                              \
+      (Id, unsigned, unsigned*, std::size_t*, unsigned*, std::size_t, char*, unsigned*))                          \
+  ROW(CreateSimpleSpace, "H5Screate_simple", Id, (int, const Size*, const Size*))                                 \
+  ROW(CreateSpace, "H5Screate", Id, (int))                                                                        \
+  ROW(CloseSpace, "H5Sclose", int, (Id))                                                                          \
+  ROW(SelectHyperslab, "H5Sselect_hyperslab", int, (Id, int, const Size*, const Size*, const Size*, const Size*)) \
+  ROW(Points, "H5Sget_simple_extent_npoints", long long, (Id))                                                    \
+  ROW(Dimensions, "H5Sget_simple_extent_ndims", int, (Id))                                                        \
+  ROW(Extents, "H5Sget_simple_extent_dims", int, (Id, Size*, Size*))                                              \
+  ROW(CopyType, "H5Tcopy", Id, (Id))                                                                              \
+  ROW(SetTypeSize, "H5Tset_size", int, (Id, std::size_t))                                                         \
+  ROW(TypeSize, "H5Tget_size", std::size_t, (Id))                                                                 \
+  ROW(TypeClass, "H5Tget_class", int, (Id))                                                                       \
+  ROW(SameType, "H5Tequal", int, (Id, Id))                                                                        \
+  ROW(IsVariableText, "H5Tis_variable_str", int, (Id))                                                            \
+  ROW(CloseType, "H5Tclose", int, (Id))                                                                           \
+  ROW(CreateDataset, "H5Dcreate2", Id, (Id, const char*, Id, Id, Id, Id, Id))                                     \
+  ROW(OpenDataset, "H5Dopen2", Id, (Id, const char*, Id))                                                         \
+  ROW(CloseDataset, "H5Dclose", int, (Id))                                                                        \
+  ROW(SetExtent, "H5Dset_extent", int, (Id, const Size*))                                                         \
+  ROW(DatasetSpace, "H5Dget_space", Id, (Id))                                                                     \
+  ROW(DatasetType, "H5Dget_type", Id, (Id))                                                                       \
+  ROW(DatasetProperties, "H5Dget_create_plist", Id, (Id))                                                         \
+  ROW(Write, "H5Dwrite", int, (Id, Id, Id, Id, Id, const void*))                                                  \
+  ROW(Read, "H5Dread", int, (Id, Id, Id, Id, Id, void*))                                                          \
+  ROW(CreateAttribute, "H5Acreate2", Id, (Id, const char*, Id, Id, Id, Id))                                       \
+  ROW(OpenAttribute, "H5Aopen", Id, (Id, const char*, Id))                                                        \
+  ROW(CloseAttribute, "H5Aclose", int, (Id))                                                                      \
+  ROW(AttributeType, "H5Aget_type", Id, (Id))                                                                     \
+  ROW(AttributeSpace, "H5Aget_space", Id, (Id))                                                                   \
+  ROW(WriteAttribute, "H5Awrite", int, (Id, Id, const void*))                                                     \
+  ROW(ReadAttribute, "H5Aread", int, (Id, Id, void*))                                                             \
+  ROW(HasLink, "H5Lexists", int, (Id, const char*, Id))
+
 struct Library {
-  int (*Open)();
-  int (*LibraryVersion)(unsigned*, unsigned*, unsigned*);
-  int (*GetErrorPrinter)(Id, ErrorPrinter*, void**);
-  int (*SetErrorPrinter)(Id, ErrorPrinter, void*);
-  int (*ClearErrors)(Id);
-  int (*WalkErrors)(Id, int, int (*)(unsigned, const Problem*, void*), void*);
-  int (*FilterAvailable)(int);
-  int (*GetPlugins)(unsigned*);
-  int (*SetPlugins)(unsigned);
-  Id (*CreateFile)(const char*, unsigned, Id, Id);
-  Id (*OpenFile)(const char*, unsigned, Id);
-  int (*CloseFile)(Id);
-  int (*FileOfSystem)(Id, Id, void**);
-  int (*Flush)(Id, int);
-  int (*StartSwmrWrite)(Id);
-  Id (*CreateProperties)(Id);
-  int (*CloseProperties)(Id);
-  int (*SetVersions)(Id, int, int);
-  int (*SetReadAttempts)(Id, unsigned);
-  int (*SetChunk)(Id, int, const Size*);
-  int (*SetDeflate)(Id, unsigned);
-  int (*SetShuffle)(Id);
-  int (*SetCreateGroups)(Id, unsigned);
-  int (*Layout)(Id);
-  int (*Chunk)(Id, int, Size*);
-  int (*ExternalFiles)(Id);
-  int (*FilterCount)(Id);
-  int (*Filter)(Id, unsigned, unsigned*, std::size_t*, unsigned*, std::size_t, char*, unsigned*);
-  Id (*CreateSimpleSpace)(int, const Size*, const Size*);
-  Id (*CreateSpace)(int);
-  int (*CloseSpace)(Id);
-  int (*SelectHyperslab)(Id, int, const Size*, const Size*, const Size*, const Size*);
-  long long (*Points)(Id);
-  int (*Dimensions)(Id);
-  int (*Extents)(Id, Size*, Size*);
-  Id (*CopyType)(Id);
-  int (*SetTypeSize)(Id, std::size_t);
-  std::size_t (*TypeSize)(Id);
-  int (*TypeClass)(Id);
-  int (*SameType)(Id, Id);
-  int (*IsVariableText)(Id);
-  int (*CloseType)(Id);
-  Id (*CreateDataset)(Id, const char*, Id, Id, Id, Id, Id);
-  Id (*OpenDataset)(Id, const char*, Id);
-  int (*CloseDataset)(Id);
-  int (*SetExtent)(Id, const Size*);
-  Id (*DatasetSpace)(Id);
-  Id (*DatasetType)(Id);
-  Id (*DatasetProperties)(Id);
-  int (*Write)(Id, Id, Id, Id, Id, const void*);
-  int (*Read)(Id, Id, Id, Id, Id, void*);
-  Id (*CreateAttribute)(Id, const char*, Id, Id, Id, Id);
-  Id (*OpenAttribute)(Id, const char*, Id);
-  int (*CloseAttribute)(Id);
-  Id (*AttributeType)(Id);
-  Id (*AttributeSpace)(Id);
-  int (*WriteAttribute)(Id, Id, const void*);
-  int (*ReadAttribute)(Id, Id, void*);
-  int (*HasLink)(Id, const char*, Id);
+#define MIMO_DECLARED(name, symbol, returned, taken) returned(*name) taken;
+  MIMO_HDF5_FIRST(MIMO_DECLARED)
+  MIMO_HDF5_FUNCTIONS(MIMO_DECLARED)
+#undef MIMO_DECLARED
   int (*DescribeLink)(Id, const char*, LinkInfo*, Id);
   // Types, kinds of errors and classes of properties, which are variables of the library.
   Id u8, i32, i64, u64, f32, f64, string, no_space, cannot_allocate, file_access, dataset_create, link_create;

@@ -77,7 +77,7 @@ TEST(Who, GrowsFromDayToDay) {
 }
 
 TEST(Curve, GoesExactlyThroughItsPointsAndNeverOverThem) {
-  const std::vector<double> x = {0, 1, 2.5, 3, 7}, y = {0.1, 0.3, 0.3, 0.9, 1.7};
+  const std::array<double, 5> x = {0, 1, 2.5, 3, 7}, y = {0.1, 0.3, 0.3, 0.9, 1.7};
   const growth::Curve curve(x, y);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(curve(x[i]), y[i]);
   double before = curve(0);
