@@ -16,7 +16,7 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();  // was sent
 
 std::string without(const std::string& prefix, const std::string& name) {
-  return name.compare(0, prefix.size(), prefix) == 0 ? name.substr(prefix.size()) : name;
+  return begins_with(name, prefix) ? name.substr(prefix.size()) : name;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "batch/batch.h"
 
 #include <algorithm>
-#include <new>
 #include <thread>
 
+#include "base/caught.h"
 #include "base/fail.h"
 #include "base/format.h"
 
@@ -251,19 +251,13 @@ void Batch::run(std::size_t world, std::size_t thread) noexcept {
 }
 
 void Batch::attempt(std::size_t world, Report& report) noexcept {
-  try {
-    report.settled = false;
-    operation_.work(world, report);
-    if (!report.settled) report.note(Status::kOk, "");
-  } catch (const Error& error) {
-    report.note(error.status(), error.what());
-  } catch (const std::bad_alloc&) {
-    report.note(Status::kOutOfMemory, "out of memory");
-  } catch (const std::exception& error) {
-    report.note(Status::kInternal, error.what());
-  } catch (...) {
-    report.note(Status::kInternal, "an unknown exception");
-  }
+  caught(
+      [&] {
+        report.settled = false;
+        operation_.work(world, report);
+        if (!report.settled) report.note(Status::kOk, "");
+      },
+      [&](Status status, const char* text) { report.note(status, text); });
 }
 
 }  // namespace mimo::batch

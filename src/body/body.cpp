@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "base/names.h"
 #include "engine/custom.h"
 #include "engine/ground.h"
@@ -17,14 +18,10 @@ namespace {
 
 using engine::Kind;
 
-bool starts_with(const char* text, const std::string& prefix) {
-  return std::string_view(text).substr(0, prefix.size()) == prefix;
-}
-
 std::vector<int> ids_with_prefix(const mjModel& model, Kind kind, const std::string& prefix) {
   std::vector<int> ids;
   for (int id = 0; id < engine::count(model, kind); ++id) {
-    if (starts_with(engine::name(model, kind, id), prefix)) ids.push_back(id);
+    if (begins_with(engine::name(model, kind, id), prefix)) ids.push_back(id);
   }
   return ids;
 }

@@ -5,11 +5,9 @@
 #include <pthread.h>
 
 #include <array>
-#include <exception>
-#include <new>
 
+#include "base/caught.h"
 #include "base/floats.h"
-#include "base/status.h"
 #include "mimo/experimental.h"
 
 namespace mimo::capi {
@@ -62,18 +60,9 @@ template <typename Body>
 mimo_status translate(const void* handle, Body&& body) noexcept {
   const Uncancelled until_the_end;
   const PlainFloats plain;
-  try {
-    body();
-    return MIMO_OK;
-  } catch (const Error& error) {
-    return report(handle, error.status(), error.what());
-  } catch (const std::bad_alloc&) {
-    return report(handle, Status::kOutOfMemory, "out of memory");
-  } catch (const std::exception& error) {
-    return report(handle, Status::kInternal, error.what());
-  } catch (...) {
-    return report(handle, Status::kInternal, "an unknown exception");
-  }
+  mimo_status status = MIMO_OK;
+  caught(body, [&](Status failure, const char* text) { status = report(handle, failure, text); });
+  return status;
 }
 
 template <typename Body>

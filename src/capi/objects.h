@@ -148,52 +148,44 @@ inline const mimo_batch* whole_of(const EnvObject* env) {
 inline bool lends(const void*) { return false; }
 inline bool lends(const EnvObject* env) { return env->world().in_task(); }
 
+template <typename Object, HandleType type>
+struct Behind {
+  using Type = Object;
+  static constexpr HandleType kType = type;
+};
+
 template <>
-struct HandleTraits<mimo_scene> {
-  using Type = SceneObject;
-  static constexpr HandleType kType = HandleType::kScene;
+struct HandleTraits<mimo_scene> : Behind<SceneObject, HandleType::kScene> {
   static constexpr const char* kName = "scene";
 };
 
 template <>
-struct HandleTraits<mimo_batch> {
-  using Type = BatchObject;
-  static constexpr HandleType kType = HandleType::kBatch;
+struct HandleTraits<mimo_batch> : Behind<BatchObject, HandleType::kBatch> {
   static constexpr const char* kName = "batch";
 };
 
 template <>
-struct HandleTraits<mimo_senses> {
-  using Type = SensesObject;
-  static constexpr HandleType kType = HandleType::kSenses;
+struct HandleTraits<mimo_senses> : Behind<SensesObject, HandleType::kSenses> {
   static constexpr const char* kName = "senses";
 };
 
 template <>
-struct HandleTraits<mimo_recorder> {
-  using Type = RecorderObject;
-  static constexpr HandleType kType = HandleType::kRecorder;
+struct HandleTraits<mimo_recorder> : Behind<RecorderObject, HandleType::kRecorder> {
   static constexpr const char* kName = "recorder";
 };
 
 template <>
-struct HandleTraits<mimo_recording> {
-  using Type = RecordingObject;
-  static constexpr HandleType kType = HandleType::kRecording;
+struct HandleTraits<mimo_recording> : Behind<RecordingObject, HandleType::kRecording> {
   static constexpr const char* kName = "recording";
 };
 
 template <>
-struct HandleTraits<mimo_layout> {
-  using Type = LayoutObject;
-  static constexpr HandleType kType = HandleType::kLayout;
+struct HandleTraits<mimo_layout> : Behind<LayoutObject, HandleType::kLayout> {
   static constexpr const char* kName = "layout";
 };
 
 template <>
-struct HandleTraits<mimo_env> {
-  using Type = EnvObject;
-  static constexpr HandleType kType = HandleType::kEnv;
+struct HandleTraits<mimo_env> : Behind<EnvObject, HandleType::kEnv> {
   static constexpr const char* kName = "env";
 };
 

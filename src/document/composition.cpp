@@ -97,7 +97,7 @@ std::vector<AssetFile> asset_files(pugi::xml_node root) {
   for (const pugi::xml_node assets : root.children("asset")) {
     walk(assets, [&](pugi::xml_node node) {
       for (const pugi::xml_attribute attribute : node.attributes()) {
-        if (std::string(attribute.name()).rfind("file", 0) == 0) files.push_back({node, attribute});
+        if (begins_with(attribute.name(), "file")) files.push_back({node, attribute});
       }
     });
   }

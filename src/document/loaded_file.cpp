@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "base/status.h"
 #include "document/files.h"
 #include "document/library.h"
@@ -14,7 +15,7 @@ namespace mimo::document {
 LoadedFile::LoadedFile(pugi::xml_node asset, const char* attribute, const Limits& limits)
     : asset_(asset), path_(asset.attribute(attribute).value()) {
   const std::string prefix = "mimo/";
-  built_in_ = path_.rfind(prefix, 0) == 0 && !built_in_file(path_.substr(prefix.size())).empty();
+  built_in_ = begins_with(path_, prefix) && !built_in_file(path_.substr(prefix.size())).empty();
   if (built_in_) return;
   constexpr std::size_t kShortest = 4;  // MuJoCo looks for an ending of that length
   if (path_.size() < kShortest) refuse("has a name without an ending");

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "document/compiler.h"
 #include "document/composition.h"
 #include "document/files.h"
@@ -18,20 +19,18 @@ namespace {
 constexpr const char* kLibraryPrefix = "mimo/";
 constexpr int kDeepestIncludes = 100;
 
-bool has_prefix(const std::string& text, const std::string& prefix) { return text.rfind(prefix, 0) == 0; }
-
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.find_last_of('/');
   return slash == std::string::npos ? "" : path.substr(0, slash + 1);
 }
 
 std::string join(const std::string& folder, const std::string& path) {
-  if (folder.empty() || has_prefix(path, "/")) return path;
+  if (folder.empty() || begins_with(path, "/")) return path;
   return folder.back() == '/' ? folder + path : folder + "/" + path;
 }
 
 // A path on disk, which must not read as the name of a built-in file.
-std::string on_disk(const std::string& path) { return has_prefix(path, kLibraryPrefix) ? "./" + path : path; }
+std::string on_disk(const std::string& path) { return begins_with(path, kLibraryPrefix) ? "./" + path : path; }
 
 // Attributes that name files, and the compiler attribute that names their folder.
 struct FileAttribute {
@@ -122,7 +121,7 @@ void Loader::expand_includes(pugi::xml_node root, const Origin& origin, bool hos
 // A document's own folder may be called mimo as well: what the library does not have is looked for there.
 bool Loader::names_built_in(const std::string& path) const {
   const std::string prefix = kLibraryPrefix;
-  return has_prefix(path, prefix) && library_.has(path.substr(prefix.size()));
+  return begins_with(path, prefix) && library_.has(path.substr(prefix.size()));
 }
 
 // Puts the content of an included file in place of the include element.
@@ -168,7 +167,7 @@ void Loader::locate_assets(pugi::xml_node root, const Origin& origin) const {
     for (const FileAttribute& entry : kFiles) {
       if (std::string(node.name()) != entry.element) continue;
       std::string path = node.attribute(entry.attribute).value();
-      if (path.empty() || (has_prefix(path, kLibraryPrefix) && !built_in_asset(path).empty())) continue;
+      if (path.empty() || (begins_with(path, kLibraryPrefix) && !built_in_asset(path).empty())) continue;
       if (strip) path = path.substr(path.find_last_of("/\\") + 1);
       path = join(join(base, compiler_setting(root, entry.folder)), path);
       if (!inside) require_inside(node, path, origin);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "document/xml.h"
 
 namespace mimo::document {
@@ -122,7 +123,7 @@ std::string shared_name(pugi::xml_node one, pugi::xml_node other) {
 bool has_names_with(pugi::xml_node root, const std::string& prefix) {
   return !root.find_node([&](pugi::xml_node node) {
                 for (const char* name : {"name", "class"}) {
-                  if (std::string(node.attribute(name).value()).rfind(prefix, 0) == 0) return true;
+                  if (begins_with(node.attribute(name).value(), prefix)) return true;
                 }
                 return false;
               })

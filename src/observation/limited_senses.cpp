@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/fail.h"
+#include "base/format.h"
 
 namespace mimo::observation {
 namespace {
@@ -25,7 +26,7 @@ std::string names(const Layout& layout, const std::string& prefix) {
   std::string all;
   for (std::size_t i = 0; i < layout.size(); ++i) {
     const std::string& name = layout[i].name;
-    if (name.compare(0, prefix.size(), prefix) != 0) continue;
+    if (!begins_with(name, prefix)) continue;
     all += (all.empty() ? "" : ", ") + name.substr(prefix.size());
   }
   return all;

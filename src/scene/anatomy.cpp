@@ -4,6 +4,7 @@
 
 #include "base/angle.h"
 #include "base/fail.h"
+#include "base/format.h"
 #include "base/names.h"
 #include "document/compiler.h"
 #include "document/defaults.h"
@@ -19,10 +20,6 @@ using growth::Motor;
 using growth::Shape;
 
 constexpr const char* kEyes = "eye_";  // how the names of an infant's own cameras begin
-
-bool begins_with(const std::string& text, const std::string& beginning) {
-  return text.compare(0, beginning.size(), beginning) == 0;
-}
 
 Shape shape_named(const std::string& type, const std::string& geom) {
   if (type.empty() || type == "sphere") return Shape::kSphere;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "base/names.h"
 
 namespace mimo::scene {
@@ -46,19 +47,17 @@ constexpr std::array<Named, 18> kMotors = {{{"hip_", kTrunk},
                                             {"right_big_toe", kRightFoot},
                                             {"left_big_toe", kLeftFoot}}};
 
-bool begins(const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; }
-
 }  // namespace
 
 unsigned group_of(const std::string& motor) {
-  if (!begins(motor, names::kMotor)) return 0;
+  if (!begins_with(motor, names::kMotor)) return 0;
   const std::string name = motor.substr(std::string(names::kMotor).size());
   for (const Named& entry : kMotors) {
-    if (begins(name, entry.name)) return entry.group;
+    if (begins_with(name, entry.name)) return entry.group;
   }
   // What is left are wrists and fingers, of which a hand may have many.
-  if (begins(name, "right_")) return kRightHand;
-  return begins(name, "left_") ? static_cast<unsigned>(kLeftHand) : 0u;
+  if (begins_with(name, "right_")) return kRightHand;
+  return begins_with(name, "left_") ? static_cast<unsigned>(kLeftHand) : 0u;
 }
 
 unsigned group_named(const std::string& word) {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "base/names.h"
 #include "document/loader.h"
 #include "document/names.h"
@@ -21,11 +22,6 @@ pugi::xml_node find_named(pugi::xml_node root, const char* section, const char* 
     if (!found.empty()) return found;
   }
   return {};
-}
-
-std::vector<std::string> words_of(pugi::xml_node root, const char* name) {
-  std::istringstream words(custom_text(root, name));
-  return {std::istream_iterator<std::string>(words), {}};
 }
 
 // "body hip", "joint robot:left_elbow", ...: what a recipe may refer to.
@@ -97,6 +93,11 @@ std::string custom_text(pugi::xml_node root, const std::string& name) {
   return find_named(root, "custom", "text", name).attribute("data").value();
 }
 
+std::vector<std::string> custom_words(pugi::xml_node root, const std::string& name) {
+  std::istringstream words(custom_text(root, name));
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 Recipe Recipe::of_room(pugi::xml_node room, const document::Library& library) {
   Recipe recipe;
   const std::string path = custom_text(room, names::kInfant);
@@ -110,17 +111,17 @@ unsigned Recipe::acts() const {
 }
 
 Senses Recipe::senses() const {
-  const std::vector<std::string> words = words_of(document_.document_element(), names::kSenses);
+  const std::vector<std::string> words = custom_words(document_.document_element(), names::kSenses);
   if (words.empty()) return {};
   const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
   return {has("proprioception"), has("vestibular"), has("vision"), has("touch")};
 }
 
-std::vector<std::string> Recipe::still() const { return words_of(document_.document_element(), names::kStill); }
+std::vector<std::string> Recipe::still() const { return custom_words(document_.document_element(), names::kStill); }
 
 bool Recipe::muscles() const { return custom_text(document_.document_element(), names::kActuation) == "muscle"; }
 
-std::vector<std::string> Recipe::bodies() const { return words_of(document_.document_element(), names::kBodies); }
+std::vector<std::string> Recipe::bodies() const { return custom_words(document_.document_element(), names::kBodies); }
 
 void Recipe::apply(pugi::xml_node root, const std::string& prefix, bool keep_root) {
   const pugi::xml_node own = document_.document_element();
@@ -141,14 +142,14 @@ void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups
   const auto rests = [&](const std::string& name) {
     return std::any_of(still.begin(), still.end(), [&](const std::string& start) {
       const std::string resting = prefix + names::kMotor + start;
-      return name.compare(0, resting.size(), resting) == 0;
+      return begins_with(name, resting);
     });
   };
   for (pugi::xml_node section : root.children("actuator")) {
     for (pugi::xml_node motor = section.first_child(); motor;) {
       const pugi::xml_node next = motor.next_sibling();
       const std::string name = motor.attribute("name").value();
-      if (name.compare(0, prefix.size(), prefix) == 0) {
+      if (begins_with(name, prefix)) {
         const unsigned group = group_of(name.substr(prefix.size()));
         if (rests(name) || (group != 0 && (group & groups) == 0)) section.remove_child(motor);
       }

@@ -1,8 +1,6 @@
 #include "scene/surroundings.h"
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
 #include <vector>
 
 #include "base/names.h"
@@ -12,11 +10,6 @@
 
 namespace mimo::scene {
 namespace {
-
-std::vector<std::string> words(pugi::xml_node root, const std::string& name) {
-  std::istringstream stream(custom_text(root, name));
-  return {std::istream_iterator<std::string>(stream), {}};
-}
 
 // The first `count` numbers of an attribute; the rest stays.
 void scale(pugi::xml_node node, const char* name, double factor, std::size_t count = 3) {
@@ -46,7 +39,7 @@ void scale_all(pugi::xml_node body, double factor) {
 }  // namespace
 
 void fit_to_stature(pugi::xml_node root, const std::string& prefix, double stature) {
-  const std::vector<std::string> built = words(root, prefix + names::kWithStature);
+  const std::vector<std::string> built = custom_words(root, prefix + names::kWithStature);
   if (built.empty()) return;
   for (const std::string& name : built) scale_all(document::find_named(root, "body", prefix + name), stature);
   scale_fastenings(root, prefix, stature);
@@ -55,7 +48,7 @@ void fit_to_stature(pugi::xml_node root, const std::string& prefix, double statu
 }
 
 void fit_to_arm(pugi::xml_node root, const std::string& prefix, double arm, const Reference& reference) {
-  const std::vector<std::string> pairs = words(root, prefix + names::kWithArm);
+  const std::vector<std::string> pairs = custom_words(root, prefix + names::kWithArm);
   for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
     pugi::xml_node body = document::find_named(root, "body", prefix + pairs[i]);
     std::vector<double> place = document::numbers(body.attribute("pos"));
