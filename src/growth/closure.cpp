@@ -2,7 +2,7 @@
 
 #include "base/fail.h"
 #include "growth/drivers.h"
-#include "growth/measures.h"
+#include "growth/kinematics.h"
 #include "growth/parts.h"
 #include "growth/proportions.h"
 #include "growth/sizes.h"

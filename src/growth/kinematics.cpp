@@ -69,4 +69,11 @@ double lowest_point(const Skeleton& skeleton, const Angles& angles) { return -fa
 
 double highest_point(const Skeleton& skeleton, const Angles& angles) { return farthest(skeleton, angles, 1); }
 
+double stature(Skeleton skeleton) {
+  // The root as it stands in the scene has no say in it.
+  skeleton.bones.front().position = {0, 0, 0};
+  skeleton.bones.front().orientation = {1, 0, 0, 0};
+  return highest_point(skeleton, {}) - lowest_point(skeleton, {});
+}
+
 }  // namespace mimo::growth

@@ -23,4 +23,7 @@ Eigen::Isometry3d pose_of(const Geom& geom);
 double lowest_point(const Skeleton& skeleton, const Angles& angles);
 double highest_point(const Skeleton& skeleton, const Angles& angles);
 
+// From the soles to the top of the head, standing straight: where all joints are at 0. In m.
+double stature(Skeleton skeleton);
+
 }  // namespace mimo::growth

@@ -77,16 +77,4 @@ double thermal_factor(Region region) {
 
 double pain_factor(Region region) { return in_face(region) ? 0.7 : 1; }
 
-double withdrawal_factor(Region region) {
-  switch (region) {
-    case Region::kFace:
-    case Region::kEye: return 0.7;
-    case Region::kHand:
-    case Region::kFinger:
-    case Region::kFoot: return 1;
-    case Region::kThigh: return 2;
-    default: return 1.5;
-  }
-}
-
 }  // namespace mimo::receptors

@@ -31,8 +31,7 @@ double afferents_of(Territory territory);
 
 // Factors of the rates of cold and warm receptors, estimates.
 double thermal_factor(Region region);
-// Factors of the threshold of pain by pressure, and of the force that makes an infant withdraw; estimates.
+// Factor of the threshold of pain by pressure, an estimate.
 double pain_factor(Region region);
-double withdrawal_factor(Region region);
 
 }  // namespace mimo::receptors

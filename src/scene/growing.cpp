@@ -9,7 +9,6 @@
 #include "document/xml.h"
 #include "growth/grow.h"
 #include "growth/kinematics.h"
-#include "growth/measures.h"
 #include "scene/anatomy.h"
 #include "scene/surroundings.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <iterator>
 #include <set>
-#include <sstream>
 
 #include "base/angle.h"
 #include "base/choice.h"
@@ -213,7 +212,6 @@ std::size_t size_count(Shape shape) {
 
 const char* built_in_scene(std::size_t index) { return entry(kScenes, index); }
 const char* built_in_room(std::size_t index) { return entry(kRooms, index); }
-const char* built_in_body(std::size_t index) { return entry(kBodies, index); }
 
 Scene::Scene(const Source& source)
     : models_(source.model_dir),
@@ -315,10 +313,7 @@ void Scene::grow(const std::string& prefix, const growth::Growth& growth) {
   grown_[prefix] = growth;
 }
 
-std::vector<std::string> Scene::infants() const {
-  std::istringstream words(custom_text(document_->document_element(), names::kInfants));
-  return {std::istream_iterator<std::string>(words), {}};
-}
+std::vector<std::string> Scene::infants() const { return custom_words(document_->document_element(), names::kInfants); }
 
 UsualInfant Scene::usual_infant() const {
   const Recipe recipe = Recipe::of_room(document_->document_element(), models_);

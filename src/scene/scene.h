@@ -151,6 +151,5 @@ class Scene {
 // Names of the built-in scenes, rooms and bodies; nullptr past the last.
 const char* built_in_scene(std::size_t index);
 const char* built_in_room(std::size_t index);
-const char* built_in_body(std::size_t index);
 
 }  // namespace mimo::scene

@@ -1,7 +1,6 @@
 #include "sound/ringing.h"
 
 #include <cmath>
-#include <cstring>
 
 #include "base/angle.h"
 #include "sound/air.h"
@@ -19,19 +18,6 @@ double spectrum(double frequency, double duration) {
 }
 
 }  // namespace
-
-double Ringing::energy() const {
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += modes[i].gain * modes[i].gain * modes[i].decay / kSquareDecay;
-  return sum;
-}
-
-int find_timbre(const char* name) {
-  for (std::size_t i = 0; i < kTimbreTable.size(); ++i) {
-    if (std::strcmp(kTimbreTable[i].name, name) == 0) return static_cast<int>(i);
-  }
-  return -1;
-}
 
 const ModeSet& mode_set(int timbre, double length) {
   constexpr std::array<double, kSizes - 1> kLimits = {0.1, 0.5, 1, 3, 12};  // m

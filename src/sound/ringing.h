@@ -10,13 +10,8 @@ namespace mimo::sound {
 struct Ringing {
   std::size_t count = 0;
   std::array<Mode, kModes> modes{};  // gains in Pa at 1 m
-
-  // What it gives in all: the integral of the square of the pressure at 1 m, Pa^2 s.
-  double energy() const;
 };
 
-// The index of a timbre by its name, -1 for one that is not known.
-int find_timbre(const char* name);
 // Of things whose three sizes sum to so many metres. The limits between sizes are an estimate.
 const ModeSet& mode_set(int timbre, double length);
 

@@ -74,8 +74,6 @@ class Task {
 
   Span<const Term> terms() const { return terms_; }
   double reward() const;
-  bool success() const { return success_; }
-  bool failure() const { return failure_; }
   Outcome outcome() const;
   // Whether success or failure ends the episode.
   bool over() const { return ends_ && (success_ || failure_); }

@@ -8,7 +8,6 @@
 #include "growth/kinematics.h"
 #include "growth/load.h"
 #include "growth/masses.h"
-#include "growth/measures.h"
 #include "support/infants.h"
 #include "support/numbers.h"
 

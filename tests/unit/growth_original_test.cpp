@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "growth/grow.h"
-#include "growth/measures.h"
+#include "growth/kinematics.h"
 #include "growth/original/measures.h"
 #include "growth/parts.h"
 #include "repository_paths.h"

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "growth/closure.h"
+#include "growth/drivers.h"
 #include "growth/grow.h"
 #include "growth/kinematics.h"
-#include "growth/measures.h"
 #include "growth/parts.h"
 #include "growth/proportions.h"
 #include "growth/sizes.h"
@@ -77,14 +77,15 @@ TEST_P(GrowthOf, At18MonthsIsTheBodyItselfToTheLastBit) {
   const Numbers is = numbers_of(grown(base(), {})), was = numbers_of(base());
   ASSERT_GT(was.size(), 500u);
   EXPECT_EQ(is, was);
-  EXPECT_EQ(measures(base(), {}).closure, 1);
+  EXPECT_EQ(fit(base(), {}).closure, 1);
 }
 
 // Columns of the worked-out table, of a body of mitten hands.
 std::map<std::string, double> columns_of(const Skeleton& base, const Growth& growth) {
   // Its shares of mass are those of parts that are as dense as at 18 months.
-  const Skeleton body = grown(base, growth), even = fit(base, growth).skeleton;
-  const growth::Measures it = measures(base, growth);
+  const growth::Fit fitted = fit(base, growth);
+  const Skeleton body = grown(base, growth), even = fitted.skeleton;
+  const double stature = growth::stature(body), mass = growth::total_mass(body);
   const auto place = [](const Skeleton& skeleton, const char* bone) { return growth::bone(skeleton, bone).position; };
   const auto longer = [&](const char* bone) { return place(body, bone)[2] / place(base, bone)[2]; };
   const auto wider = [&](const char* geom) {
@@ -93,22 +94,22 @@ std::map<std::string, double> columns_of(const Skeleton& base, const Growth& gro
   const double head = 2 * growth::geom(body, "head").size[0];
   const growth::Drivers drivers = growth::drivers(growth);
   const growth::Lengths lengths = growth::lengths(base, drivers, growth.age, 1);
-  return {{"WHO_length_cm", it.length},
-          {"WHO_weight_kg", it.weight},
-          {"WHO_head_cm", it.head_circumference},
-          {"length_ratio_l", it.l},
-          {"slenderness_ratio_w", it.w},
-          {"head_ratio_h", it.h},
+  return {{"WHO_length_cm", drivers.length},
+          {"WHO_weight_kg", drivers.weight},
+          {"WHO_head_cm", drivers.head},
+          {"length_ratio_l", drivers.l},
+          {"slenderness_ratio_w", drivers.w},
+          {"head_ratio_h", drivers.h},
           {"sitting_share", growth::sitting_share(growth.age)},
-          {"stature_m", it.stature},
-          {"total_mass_kg", growth::total_mass(body)},
+          {"stature_m", stature},
+          {"total_mass_kg", mass},
           {"open_mass_kg", growth::total_mass(growth::resized(base, lengths, growth::girths(drivers, 1)))},
-          {"girth_closure", it.closure},
+          {"girth_closure", fitted.closure},
           {"head_diameter_m", head},
-          {"head_diameter_over_stature", head / it.stature},
-          {"head_mass_share", mass_of(even, {"head"}) / it.mass},
-          {"arms_mass_share", mass_of(even, {"upper_arm", "lower_arm", "hand", "fingers"}) / it.mass},
-          {"legs_mass_share", mass_of(even, {"upper_leg", "lower_leg", "foot", "toes"}) / it.mass},
+          {"head_diameter_over_stature", head / stature},
+          {"head_mass_share", mass_of(even, {"head"}) / mass},
+          {"arms_mass_share", mass_of(even, {"upper_arm", "lower_arm", "hand", "fingers"}) / mass},
+          {"legs_mass_share", mass_of(even, {"upper_leg", "lower_leg", "foot", "toes"}) / mass},
           {"trunk_factor", longer("upper_body")},
           {"thigh_length_m", -place(body, "left_lower_leg")[2]},
           {"shank_length_m", growth::geom(body, "left_lower_leg1").size[1] /
@@ -168,9 +169,10 @@ TEST_P(GrowthOf, IsTheWhosLengthAndWeightWhereThatIsAskedFor) {
   for (const double age : {0.0, 3.0, 12.0, 18.0, 24.0}) {
     Growth growth = aged(age);
     growth.absolute = true;
-    const growth::Measures it = measures(base(), growth);
-    EXPECT_TRUE(close(it.length / 100, it.stature, {1e-3})) << age;
-    EXPECT_TRUE(close(it.weight, it.mass, {1e-9})) << age;
+    const Skeleton body = grown(base(), growth);
+    const growth::Drivers who = growth::drivers(growth);
+    EXPECT_TRUE(close(who.length / 100, growth::stature(body), {1e-3})) << age;
+    EXPECT_TRUE(close(who.weight, growth::total_mass(body), {1e-9})) << age;
   }
 }
 

@@ -8,7 +8,6 @@
 #include "base/angle.h"
 #include "base/status.h"
 #include "growth/load.h"
-#include "growth/measures.h"
 #include "growth/solids.h"
 
 namespace mimo::test {

@@ -258,7 +258,8 @@ TEST(Ears, SourcesHaveDirections) {
 TEST(Ears, TheOwnVoiceIsLoud) { EXPECT_NEAR(level_of(Eigen::Vector3d(1, 0, 0), 0.25, 0), 17, 0.05); }
 
 Blow wooden_blow(double onset) {
-  const sound::Solid wood = {1.1e10, 0.25, 1e-4, sound::find_timbre("wood_hard")};
+  constexpr int kHardWood = 6;  // row of kTimbreTable
+  const sound::Solid wood = {1.1e10, 0.25, 1e-4, kHardWood};
   const sound::Struck block = {wood, 20, 50, 0.02, 0.12}, table = {wood, 0, 0, 1, 3};
   const sound::Strike blow = strike(block, table, 1);
   return {Eigen::Vector3d(0.6, 0.8, 0), onset, click(blow, 20, 0.02, 1), ringing(blow, block)};
