@@ -19,14 +19,15 @@ struct Complaint {
   std::array<char, 512> warning;  // text of the first warning
 };
 
-// Runs `call(argument)` with MuJoCo's errors and warnings caught. The call may contain ONE call of a C function
-// and nothing that needs a destructor: after an mju_error its frame is left by longjmp. C++ exceptions (the XML
-// loader lets std::bad_alloc out) pass through.
+// Runs `call(argument)` with MuJoCo's errors and warnings caught. After an mju_error its frame, and all that it called,
+// is left by longjmp: whatever lives across a call of MuJoCo must need no destructor. C++ exceptions (the XML loader
+// lets std::bad_alloc out) pass through.
 void call_guarded(void (*call)(void*), void* argument, Complaint& complaint);
 
 template <typename Call>
 Complaint guarded(Call&& call) {
   using Plain = std::remove_reference_t<Call>;
+  static_assert(std::is_trivially_destructible_v<Plain>, "what lives across a longjmp must need no destructor");
   Complaint complaint;
   call_guarded([](void* argument) { (*static_cast<Plain*>(argument))(); }, &call, complaint);
   return complaint;

@@ -219,10 +219,9 @@ void eliminate(const Hessian& hessian, bool quiet, double* matrix) {
 }
 
 // Whether the quiet rows' constraints are in other states than when these were eliminated; notes the present ones.
-bool quiet_changed(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
-  int& begun = hessian.counted[blocks.count];
-  bool changed = begun == 0;
-  begun = 1;
+bool quiet_changed(Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  bool changed = !hessian.has_halfway;
+  hessian.has_halfway = true;
   for (int i = 0; i < blocks.count; ++i) {
     if (!is_quiet(hessian, blocks.all[i])) continue;
     const int counts = data.efc_state[blocks.all[i].row] == mjCNSTRSTATE_QUADRATIC ? 1 : 0;
@@ -232,13 +231,13 @@ bool quiet_changed(const Hessian& hessian, const mjData& data, const Blocks& blo
   return changed;
 }
 
-void begin(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
-  std::copy_n(hessian.inertia, hessian.entries, hessian.begun);
+void go_halfway(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  std::copy_n(hessian.inertia, hessian.entries, hessian.halfway);
   for (int i = 0; i < blocks.count; ++i) {
     const Block& block = blocks.all[i];
-    if (is_quiet(hessian, block) && hessian.counted[i] == 1) add_single(hessian, data, block, hessian.begun);
+    if (is_quiet(hessian, block) && hessian.counted[i] == 1) add_single(hessian, data, block, hessian.halfway);
   }
-  eliminate(hessian, true, hessian.begun);
+  eliminate(hessian, true, hessian.halfway);
 }
 
 }  // namespace
@@ -255,7 +254,7 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   list_columns(size, marks, starts, columns);
   double* inertia = take<double>(data, entries);
   bool* quiet = take<bool>(data, size);
-  int* counted = take<int>(data, blocks.count + 1);
+  int* counted = take<int>(data, blocks.count);
   const int room = (kMostRows + 1) * (size + kLanes);
   const Hessian hessian = {size,
                            entries,
@@ -265,13 +264,14 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
                            inertia,
                            quiet,
                            take<double>(data, entries),
-                           counted,
+                           take<double>(data, room),
                            take<double>(data, entries),
-                           take<double>(data, room)};
+                           counted,
+                           false};
   write_inertia(model, data, hessian, inertia);
   std::fill_n(hessian.scratch, room, 0.0);
   find_quiet(hessian, blocks, quiet);
-  std::fill_n(counted, blocks.count + 1, 0);
+  std::fill_n(counted, blocks.count, 0);
   return hessian;
 }
 
@@ -296,9 +296,9 @@ void multiply_inertia(const Hessian& hessian, const double* vector, double* prod
   }
 }
 
-void factorize(const Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation) {
-  if (quiet_changed(hessian, data, blocks)) begin(hessian, data, blocks);
-  std::copy_n(hessian.begun, hessian.entries, hessian.values);
+void factorize(Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation) {
+  if (quiet_changed(hessian, data, blocks)) go_halfway(hessian, data, blocks);
+  std::copy_n(hessian.halfway, hessian.entries, hessian.values);
   for (int i = 0; i < blocks.count; ++i) {
     if (!is_quiet(hessian, blocks.all[i])) add_block(hessian, data, blocks.all[i], violation);
   }

@@ -23,10 +23,11 @@ struct Hessian {
   const int* columns;  // ascending
   const double* inertia;
   const bool* quiet;  // rows
-  double* begun;      // inertia, with quiet rows eliminated
-  int* counted;       // of each block on a quiet row: whether `begun` has it in; and whether there is one yet
   double* values;     // of the matrix, then of its factor
   double* scratch;    // 7 x (size + 4)
+  double* halfway;    // inertia and constraints of quiet rows, with these rows eliminated
+  int* counted;       // of each block on a quiet row: whether `halfway` has it in
+  bool has_halfway;   // whether `halfway` and `counted` are those of any states yet
 };
 
 Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks);
@@ -34,7 +35,7 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks);
 void multiply_inertia(const Hessian& hessian, const double* vector, double* product);
 
 // For the present states of the constraints and their violation; the matrix is replaced by its factor.
-void factorize(const Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation);
+void factorize(Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation);
 void solve(const Hessian& hessian, double* vector);
 
 }  // namespace mimo::solver

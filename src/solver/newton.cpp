@@ -85,7 +85,7 @@ bool advance(const mjModel& model, mjData& data, const Matrices& matrices, Searc
 }
 
 // Newton's method: each direction is the one that leads to the least cost if the states of constraints stay.
-void minimize(const mjModel& model, mjData& data, const Matrices& matrices, Search& search) {
+void minimize(const mjModel& model, mjData& data, Matrices& matrices, Search& search) {
   const double scale = 1 / (model.stat.meaninertia * model.nv);
   descend(model, data, search);
   int& iterations = compat::iterations(data);
@@ -114,7 +114,7 @@ void solve_constraints(const mjModel& model, mjData& data) {
     mju_copy(data.qacc, data.qacc_smooth, model.nv);
     mju_zero(data.qfrc_constraint, model.nv);
   } else {
-    const Matrices matrices = make_matrices(model, data);
+    Matrices matrices = make_matrices(model, data);
     compat::entries(data) = matrices.hessian.entries;
     multiply(matrices.blocks, data.qacc_smooth, data.efc_b);
     mju_subFrom(data.efc_b, data.efc_aref, data.nefc);
