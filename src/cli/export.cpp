@@ -63,8 +63,18 @@ Pose within(const Pose& frame, const Pose& pose) {
           {part(turn[0]), part(turn[1]), part(turn[2]), part(turn[3])}};
 }
 
-// Colours of MuJoCo's are as screens have them, glTF's factors are linear.
-double linear(float value) { return std::pow(std::clamp(double(value), 0.0, 1.0), 2.2); }
+// Colours of MuJoCo's are as screens have them (sRGB), glTF's factors are linear.
+double linear(float value) {
+  const double coded = std::clamp(double(value), 0.0, 1.0);
+  return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+}
+
+// Phong's exponent n is a roughness of sqrt(2 / (n + 2)), as the viewer in the browser has it (mimo/view/glb.py).
+double roughness(const mimo_appearance& look) {
+  constexpr double kSmoothest = 0.2, kRoughest = 0.9;
+  if (look.specular == 0) return kRoughest;
+  return std::clamp(std::sqrt(2.0 / (128.0 * double(look.shininess) + 2.0)), kSmoothest, kRoughest);
+}
 
 class GltfScene {
  public:
@@ -123,7 +133,7 @@ class GltfScene {
     return file_.add("meshes", {{"name", name_of(MIMO_GEOM, geom, "geom:")}, {"primitives", Json::array({triangles})}});
   }
 
-  // Geoms that look alike share one. Phong's exponent n is a roughness of sqrt(2 / (n + 2)).
+  // Geoms that look alike share one.
   std::size_t add_material(const mimo_appearance& look) {
     std::string key(reinterpret_cast<const char*>(&look), sizeof look);
     const auto found = materials_.find(key);
@@ -131,7 +141,7 @@ class GltfScene {
     const float* rgba = look.color;
     Json surface = {{"baseColorFactor", {linear(rgba[0]), linear(rgba[1]), linear(rgba[2]), rgba[3]}},
                     {"metallicFactor", 0},
-                    {"roughnessFactor", std::sqrt(2.0 / (128.0 * double(look.shininess) + 2.0))}};
+                    {"roughnessFactor", roughness(look)}};
     Json material = {{"name", "material:" + std::to_string(materials_.size())}};
     const auto shine = [&](int k) { return linear(rgba[k] * look.emission); };
     if (look.emission > 0) material["emissiveFactor"] = {shine(0), shine(1), shine(2)};

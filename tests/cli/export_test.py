@@ -120,7 +120,8 @@ class Export(Case):
         self.assertTrue(all(abs(math.dist(p, middle) - 0.25) < 1e-5 for p in points))
         floor = next(m for m in file.json["materials"] if m.get("alphaMode") == "BLEND")
         color = floor["pbrMetallicRoughness"]["baseColorFactor"]
-        for value, expected in zip(color, (0.5 ** 2.2, 0.2 ** 2.2, 1, 0.25)):
+        # IEC 61966-2-1, where a screen's level is linear light.
+        for value, expected in zip(color, ((0.555 / 1.055) ** 2.4, (0.255 / 1.055) ** 2.4, 1, 0.25)):
             self.assertAlmostEqual(value, expected, places=6)
 
     def test_movement(self):
