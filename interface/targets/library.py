@@ -142,11 +142,12 @@ namespace mimo::header {{
             for name in enum.constants:
                 bits |= 0 if name.endswith(("_ALL", "_NONE")) else api.constant(name).value
             text += f"constexpr std::uint32_t k{enum.name} = {bits:#x};\n"
-    return text + listed(api, "Kind", "kKinds") + listed(api, "Quantity", "kQuantities") + "\n}  // namespace mimo::header\n"
+    text += "\n// clang-format off\n" + listed(api, "Kind", "kKinds") + listed(api, "Quantity", "kQuantities")
+    return text + "// clang-format on\n\n}  // namespace mimo::header\n"
 
 
 def listed(api, enum, name):
     """An enumeration's constants in the order of their numbers."""
     names = sorted(api.enum(enum).constants, key=lambda name: api.constant(name).value)
     rows = "".join(f"    {name},\n" for name in names)
-    return f"\nconstexpr {api.enum(enum).c_type} {name}[] = {{\n{rows}}};\n"
+    return f"constexpr {api.enum(enum).c_type} {name}[] = {{\n{rows}}};\n"

@@ -21,11 +21,23 @@ constexpr std::uint32_t kDisable = 0x7;
 constexpr std::uint32_t kRender = 0x1f;
 constexpr std::uint32_t kPictureFormat = 0x3;
 
+// clang-format off
 constexpr mimo_kind kKinds[] = {
-    MIMO_BODY,  MIMO_JOINT,   MIMO_GEOM,         MIMO_SITE,  MIMO_CAMERA, MIMO_ACTUATOR, MIMO_SENSOR,
-    MIMO_LIGHT, MIMO_CONTACT, MIMO_STEP_CONTACT, MIMO_AGENT, MIMO_FACE,   MIMO_WORLD,    MIMO_WARNING,
+    MIMO_BODY,
+    MIMO_JOINT,
+    MIMO_GEOM,
+    MIMO_SITE,
+    MIMO_CAMERA,
+    MIMO_ACTUATOR,
+    MIMO_SENSOR,
+    MIMO_LIGHT,
+    MIMO_CONTACT,
+    MIMO_STEP_CONTACT,
+    MIMO_AGENT,
+    MIMO_FACE,
+    MIMO_WORLD,
+    MIMO_WARNING,
 };
-
 constexpr mimo_quantity kQuantities[] = {
     MIMO_BODY_POSITION,
     MIMO_BODY_ORIENTATION,
@@ -86,5 +98,6 @@ constexpr mimo_quantity kQuantities[] = {
     MIMO_WORLD_GRAVITY,
     MIMO_WARNING_STEPS,
 };
+// clang-format on
 
 }  // namespace mimo::header
