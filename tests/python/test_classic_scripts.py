@@ -65,6 +65,19 @@ def test_a_touch_of_ones_own(folder):
     assert run(folder, "itch_touch.py") == ["touch (5685,) (5685,) 1", "hurts True felt True"]
 
 
+def test_the_experiment_of_the_page(folder, root):
+    shutil.copy(root / "examples/python/kit_selftouch.py", folder / "scripts")
+    shutil.copy(root / "bindings/python/src/mimo/babybench/configs/selftouch.yml", folder)
+    (line,) = run(folder, "kit_selftouch.py", "--episodes", "2", "--duration", "400")
+    score = float(re.match(r"score (0\.\d+) after 2 episodes, \d+ steps a second", line)[1])
+    # In the kit random hands touch 2 to 5 of 68 places in an episode: tests/golden/babybench/random_policy.csv.
+    assert 0 < score <= 2 * 5 / 68
+    rows = (folder / "selftouch.csv").read_text().split()
+    assert rows[0] == "episode,score"
+    assert round(float(rows[2].split(",")[1]), 3) == score
+    assert (folder / "results/self_touch/logs/training.pkl").is_file()
+
+
 def test_poses_locks_and_forces_of_contacts(folder):
     told = run(folder, "paper_contacts.py")
     push, weight = map(float, re.match(r"push ([\d.]+) weight ([\d.]+)", told[0]).groups())

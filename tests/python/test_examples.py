@@ -49,10 +49,11 @@ def test_babybench_accepts_a_scale_of_0(root, tmp_path):
 def test_no_example_is_forgotten(root):
     in_test_sb3 = {"train.py", "learning_curves.py", "profile_training.py", "figure4.py", "single_file_ppo.py"}
     elsewhere = in_test_sb3 | {
+        "kit_selftouch.py",
         "cluster.py",
         "torchrl_ppo.py",
         "receptor_steps.py",
-    }  # in test_ray, test_torchrl, and below
+    }  # in test_classic_scripts, test_ray, test_torchrl, and below
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | elsewhere
 
 
