@@ -62,9 +62,9 @@ TEST(GoldenReach, RewardsByTheOriginalsRules) {
     put_bodies(*world, row.at("xpos_used"));
     task_of(*world).evaluate(world->physics());
     EXPECT_TRUE(close(row.at("reward"), task_of(*world).reward(), kExact));
-    EXPECT_EQ(task_of(*world).success(), row.at("is_success").get<bool>());
+    EXPECT_EQ(task_of(*world).outcome() == tasks::Outcome::kSuccess, row.at("is_success").get<bool>());
     EXPECT_EQ(task_of(*world).over(), row.at("terminated").get<bool>());
-    successes += task_of(*world).success() ? 1 : 0;
+    successes += task_of(*world).outcome() == tasks::Outcome::kSuccess ? 1 : 0;
   }
   EXPECT_EQ(successes, 11);
 }
@@ -97,7 +97,7 @@ TEST(GoldenStandup, Rewards) {
     put_bodies(*world, row.at("xpos_used"));
     task_of(*world).evaluate(world->physics());
     EXPECT_TRUE(close(row.at("reward"), task_of(*world).reward(), kExact));
-    EXPECT_EQ(task_of(*world).success(), row.at("is_success").get<bool>());
+    EXPECT_EQ(task_of(*world).outcome() == tasks::Outcome::kSuccess, row.at("is_success").get<bool>());
     EXPECT_FALSE(task_of(*world).over());
   }
 }

@@ -210,7 +210,7 @@ TEST(EnvStep, RewardsAreFinite) {
     EXPECT_EQ(error.message(), "the task's function evaluate gave agent 0 the reward inf, expected a finite number");
   }
   EXPECT_EQ(world->agents()[0].task->reward(), 0);
-  EXPECT_FALSE(world->agents()[0].task->success());
+  EXPECT_NE(world->agents()[0].task->outcome(), tasks::Outcome::kSuccess);
   std::vector<std::uint8_t> state(world->state_bytes());
   world->save({state.data(), state.size()});
   world->load({state.data(), state.size()});

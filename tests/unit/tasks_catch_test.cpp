@@ -136,8 +136,8 @@ void expect_to_catch(World& world) {
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
     const Episode episode = play(world, seed, closing);
     EXPECT_TRUE(episode.terminated);
-    EXPECT_NE(task_of(world).success(), task_of(world).failure());
-    if (!task_of(world).success()) continue;
+    EXPECT_NE(task_of(world).outcome(), tasks::Outcome::kNone);
+    if (task_of(world).outcome() != tasks::Outcome::kSuccess) continue;
     ++caught;
     EXPECT_EQ(episode.contacts, 100) << "steps in a row: held for a second, and not for longer";
     EXPECT_GT(episode.total, 150) << "100 for success, 1 for each step with the ball, less the effort";
@@ -158,7 +158,7 @@ TEST(Catch, DoingNothingLosesTheBall) {
   const auto world = catching();
   const Episode episode = play(*world, 4, [](const World& w) { return std::vector<float>(w.action_size()); });
   EXPECT_TRUE(episode.terminated);
-  EXPECT_TRUE(task_of(*world).failure());
+  EXPECT_EQ(task_of(*world).outcome(), tasks::Outcome::kFailure);
   EXPECT_EQ(term(*world, "failure"), -100);
   EXPECT_LT(episode.steps, 60);
   const double drop = place_of(*world, "target").z() - place_of(*world, "right_hand").z();

@@ -147,7 +147,7 @@ Played play(World& world, std::uint64_t seed, Policy&& policy) {
     double achieved = 0;
     task_of(world).achieved(world.data(), &achieved);
     played.best = std::max(played.best, achieved);
-    played.success = played.success || task_of(world).success();
+    played.success = played.success || task_of(world).outcome() == tasks::Outcome::kSuccess;
     played.terminated = terminated == 1;
     played.truncated = truncated == 1;
     ++played.steps;
@@ -179,7 +179,7 @@ TEST(Rollover, TurningOverIsASuccess) {
     const auto world = world_of({{"rollover/ends_on_success", ends}});
     const Played played = play(*world, 0, [&](World& w) {
       double* torque = w.physics().data().xfrc_applied + 6 * engine::find_or_fail(w.model(), Kind::kBody, "hip") + 3;
-      torque[0] = task_of(w).success() ? 0 : 12;
+      torque[0] = task_of(w).outcome() == tasks::Outcome::kSuccess ? 0 : 12;
       return std::vector<float>(w.action_size());
     });
     EXPECT_TRUE(played.success) << played.best;

@@ -186,7 +186,7 @@ void expect_driven_hand_to_succeed(World& world) {
     const Episode episode = play(world, seed, [](const World& w) { return pull(w, place_of(w, "target")); });
     if (!episode.last.terminated) continue;
     ++successes;
-    EXPECT_TRUE(task_of(world).success());
+    EXPECT_EQ(task_of(world).outcome(), tasks::Outcome::kSuccess);
     EXPECT_EQ(episode.last.reward, 100) << "the paper's reward: 100, and no distance";
     EXPECT_GT(episode.total, 0);
   }
@@ -279,7 +279,7 @@ TEST(Standup, StretchedLegsAreASuccessThatGoesOn) {
   };
   bool success = false;
   const Episode episode = play(*world, 0, [&](const World& w) {
-    success = success || task_of(w).success();
+    success = success || task_of(w).outcome() == tasks::Outcome::kSuccess;
     return stretch(w);
   });
   EXPECT_TRUE(success);
@@ -358,7 +358,7 @@ void expect_targets_to_be_touched(World& world) {
     if (!episode.last.terminated) continue;
     touched.insert(target);
     EXPECT_EQ(episode.last.reward, 500);
-    EXPECT_TRUE(task_of(world).success());
+    EXPECT_EQ(task_of(world).outcome(), tasks::Outcome::kSuccess);
   }
   // The straight way to the other targets is blocked by the body itself.
   EXPECT_GE(touched.size(), 3u) << join(touched, ", ");
