@@ -66,7 +66,8 @@ def notebook(page):
         more = {"execution_count": None, "outputs": []} if kind == "code" else {}
         return {"cell_type": kind, "metadata": {}, "source": source.strip(), **more}
 
-    text, cells, end = page.read_text(encoding="utf-8"), [], 0
+    text = PICTURE.sub(r"(\1)", page.read_text(encoding="utf-8"))  # beside the notebook, where its programs save them
+    cells, end = [], 0
     for found in CELL.finditer(text):
         cells += [cell("markdown", text[end : found.start()]), cell("code", found["code"])]
         end = found.end()
