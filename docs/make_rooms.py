@@ -3,6 +3,7 @@
 
 With --check nothing is written: fails where the page differs, and where a room names another one whose headers none of
 its files sees, or sees one that it does not name, or calls MuJoCo's functions without being the engine or a renderer.
+Also fails where the page names something of C++ that does not exist, or its table "Where something new goes" a path.
 """
 
 import re
@@ -14,6 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/architecture.md"
 CALL = re.compile(r"mimo_room\(\s*(\w+)\s+(OUTSIDE\s+)?ABOUT\s+\"([^\"]*)\"([^)]*)\)")
 CALLERS_OF_MUJOCO = ("compat", "solver", "engine", "render", "rays", "opengl", "geometry")
+NAMES_STAND_IN = ("src", "include", "interface/targets")
 MUJOCO_CALL = re.compile(r"\bmj[uvr]?_\w+\s*\(")
 INCLUDE = re.compile(r'^\s*#\s*include "((\w+)/[^"]+)"', re.MULTILINE)
 
@@ -112,6 +114,23 @@ def forbidden_calls():
                 yield f"{path.relative_to(ROOT)}:{number} calls MuJoCo, which only {', '.join(CALLERS_OF_MUJOCO)} may"
 
 
+def lost_names(text):
+    """Paths and names of the table "Where something new goes", and names of C++ on the page, that the tree does not have."""
+    table = text.split("## Where something new goes", 1)[1].split("\n## ", 1)[0]
+    folders = [ROOT / folder for folder in NAMES_STAND_IN]
+    code = "\n".join(p.read_text() for f in folders for p in f.rglob("*") if p.suffix in (".h", ".cpp", ".py", ".hpp"))
+    known = set(re.findall(r"\w+", code))
+    elsewhere = [quoted for quoted in re.findall(r"`([^`\n]+)`", text) if "::" in quoted]
+    for quoted in sorted({*re.findall(r"`([^`]+)`", table), *elsewhere}):
+        if "/" in quoted and " " not in quoted:
+            if not (ROOT / quoted).exists():
+                yield f"docs/architecture.md sends its readers to {quoted}, which does not exist"
+        elif re.fullmatch(r"[\w:]+(\(\w*\))?", quoted):
+            for name in re.findall(r"\w+", quoted):
+                if name not in known:
+                    yield f"docs/architecture.md sends its readers to {name}, which no file has"
+
+
 def main():
     rooms = read_rooms()
     text = PAGE.read_text()
@@ -119,7 +138,7 @@ def main():
     if "--check" not in sys.argv[1:]:
         PAGE.write_text(made)
         return
-    complaints = [*wrong_arrows(rooms), *forbidden_calls()]
+    complaints = [*wrong_arrows(rooms), *forbidden_calls(), *lost_names(text)]
     if made != text:
         complaints.append("docs/architecture.md differs from the CMake lists; run docs/make_rooms.py")
     sys.exit("\n".join(complaints) or None)
