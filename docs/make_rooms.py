@@ -115,7 +115,7 @@ def forbidden_calls():
 
 
 def lost_names(text):
-    """Paths and names of the table "Where something new goes", and names of C++ on the page, that the tree does not have."""
+    """Names of C++ on the page, and paths of the table "Where something new goes", that the tree does not have."""
     table = text.split("## Where something new goes", 1)[1].split("\n## ", 1)[0]
     folders = [ROOT / folder for folder in NAMES_STAND_IN]
     code = "\n".join(p.read_text() for f in folders for p in f.rglob("*") if p.suffix in (".h", ".cpp", ".py", ".hpp"))
