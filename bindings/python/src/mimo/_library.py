@@ -67,7 +67,8 @@ def advice_for_host(version: str) -> str:
 def _load(path: Path) -> Any:
     if not path.is_file():
         raise ImportError(
-            f"there is no {path}; install the package with pip, run ./dev build in a clone, or set MIMO_LIBRARY to a libmimo"
+            f"there is no {path}; install the package with pip, run ./dev build in a clone, "
+            "or set MIMO_LIBRARY to a libmimo"
         )
     # RTLD_LOCAL, the default of ctypes, keeps it apart from another MuJoCo in this process.
     try:
