@@ -63,7 +63,7 @@ def _look_around(script: str) -> None:
 
 def checkouts(script: str) -> List[str]:
     """Folders around a script with packages of the original, which is installed from such a folder."""
-    around = [*Path(script).resolve().parents[:LEVELS], Path.cwd()]
+    around = [*list(Path(script).resolve().parents)[:LEVELS], Path.cwd()]
     places = [place for folder in around for place in (folder, folder / "MIMo")]
     found = [str(place) for place in places if any((place / root / "__init__.py").is_file() for root in ROOTS)]
     return [place for place in dict.fromkeys(found) if place not in sys.path]
