@@ -239,15 +239,13 @@ class Dev(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (1, "dev: please install: c++ cmake ninja\n"))
 
     def test_an_old_python_is_told_so(self):
-        script = (
-            (self.clone / "dev")
-            .read_text()
-            .replace("/usr/bin/python3 python3", "python3")
-            .replace("$EUID == 0", "1 == 0")
-        )
-        (self.clone / "dev").write_text(script)
+        script = (self.clone / "dev").read_text().replace("/usr/bin/python3 python3", "python3")
         self.stub("python3", "exit 1")  # as python3.8 -c 'import tomllib'
+        self.stub("apt-get", "exit 100")
+        (self.clone / "dev").write_text(script.replace("$EUID == 0", "1 == 0"))
         self.refused("please install Python 3.11 or newer", "demo")
+        (self.clone / "dev").write_text(script.replace("$EUID == 0", "1 == 1"))
+        self.refused("apt-get cannot install python3; please check the network", "demo")
 
 
 if __name__ == "__main__":
