@@ -412,3 +412,21 @@ def test_sizes_of_pictures_and_statistics(env):
         env.model.stat.extent = 1
     with pytest.raises(AttributeError, match=r"model\.vis has no 'map' here"):
         env.model.vis.map  # noqa: B018
+
+
+def test_models_without_an_environment(tmp_path):
+    # A ball falls for n steps of t: by t^2 g n (n + 1) / 2, as MuJoCo sets the velocity first.
+    ball = '<mujoco><worldbody><body name="ball" pos="0 0 1"><freejoint/><geom size="0.1"/></body></worldbody></mujoco>'
+    (tmp_path / "ball.xml").write_text(ball)
+    for model in (mujoco.MjModel.from_xml_string(ball), mujoco.MjModel.from_xml_path(tmp_path / "ball.xml")):
+        data = mujoco.MjData(model)
+        mujoco.mj_step(model, data, nstep=10)
+        assert 1 - data.qpos[2] == pytest.approx(0.002**2 * 9.81 * 55, rel=1e-9)
+        mujoco.mj_resetData(model, data)
+        assert data.qpos[2] == 1
+    original = mujoco.MjModel.from_xml_path(tmp_path / "benchmarkv2_scene.xml")
+    assert (original.nu, original.body(name="hip").name, original.camera("eye_left").fovy) == (88, "hip", 60)
+    assert original.sensor("vestibular_gyro").type == 3
+    assert original.geom("head").matid >= 0
+    with pytest.raises(TypeError, match="use from_xml_path or from_xml_string"):
+        mujoco.MjModel()

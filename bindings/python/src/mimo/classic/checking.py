@@ -255,7 +255,7 @@ def _engine_has(name: str) -> bool:
         or name in FUNCTIONS
         or name in CONSTANTS
         or name in mathematics.FUNCTIONS
-        or name == "Renderer"
+        or name in ("Renderer", "MjModel", "MjData")
     ):
         return True
     if name in mathematics.CLASSES or importlib.util.find_spec(ENGINE) is None:

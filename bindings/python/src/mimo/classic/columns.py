@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ..constants import Kind, Quantity
 from .catalog import Catalog
-from .document import EQUALITIES, GEOMS, JOINTS, Row
+from .document import EQUALITIES, GEOMS, JOINTS, SENSORS, Row
 from .rotations import matrices, matrix, product
 
 Numbers = NDArray[Any]
@@ -166,6 +166,12 @@ def _mocap_numbers(it: Catalog) -> Numbers:
     return numbers
 
 
+def _materials(it: Catalog) -> Numbers:
+    names = [row.at.get("name") for row in it.document.materials]
+    given = [row.at.get("material") for row in it.document.geoms]
+    return np.array([names.index(name) if name in names else -1 for name in given], np.int32)
+
+
 def _bounds(it: Catalog) -> Numbers:
     """Radii around geoms; of meshes from their triangles."""
     kinds, sizes = MODEL["geom_type"].read(it), it.read(Kind.GEOM, Quantity.GEOM_SIZE)
@@ -270,6 +276,11 @@ def _motor_forces(it: Catalog) -> Numbers:
     return forces
 
 
+def _sensor_types(it: Catalog) -> Numbers:
+    tags = [row.tag for row in it.document.sensors]
+    return np.array([SENSORS.index(tag) if tag in SENSORS else -1 for tag in tags], np.int32)
+
+
 def _sensor_widths(it: Catalog) -> Numbers:
     sensors = it.all_of(Kind.SENSOR)
     return np.array([sensors._width(Quantity.SENSOR_VALUE, sensors.ids[i : i + 1]) for i in range(len(sensors))], int)
@@ -358,6 +369,7 @@ _FACTS: Dict[str, Column] = {
     "site_size": _numbers("sites", "size", 0.005, 0.005, 0.005),
     "site_group": _number("sites", "group", 0, np.int32),
     "eq_type": _constant("equalities", lambda _, row: EQUALITIES.index(row.tag), np.int32),
+    "cam_fovy": _number("cameras", "fovy", 45),
     "mat_rgba": _numbers("materials", "rgba", 1, 1, 1, 1),
 }
 
@@ -385,6 +397,7 @@ MODEL: Mapping[str, Column] = {
     "geom_pos": _relative_places(Kind.GEOM, Quantity.GEOM_POSITION),
     "geom_quat": _relative_turns(Kind.GEOM, Quantity.GEOM_ORIENTATION),
     "geom_rbound": Column(_bounds),
+    "geom_matid": Column(_materials),
     "jnt_bodyid": Column(lambda it: it.bodies_of(Kind.JOINT)),
     "jnt_qposadr": Column(lambda it: it.qpos_at[:-1].astype(np.int32)),
     "jnt_dofadr": Column(lambda it: it.qvel_at[:-1].astype(np.int32)),
@@ -402,6 +415,7 @@ MODEL: Mapping[str, Column] = {
     "actuator_gear": Column(_gears, _write_gears),
     "actuator_trnid": Column(_joints_of_motors),
     "actuator_user": Column(user_numbers),
+    "sensor_type": Column(_sensor_types),
     "sensor_dim": Column(lambda it: _sensor_widths(it).astype(np.int32)),
     "sensor_adr": Column(lambda it: np.concatenate([[0], np.cumsum(_sensor_widths(it))[:-1]]).astype(np.int32)),
     "eq_active": Column(lambda it: _locks(it)[:, 0].astype(np.uint8), _write_active),
@@ -427,7 +441,7 @@ def _of_joints(it: Catalog, name: str) -> Numbers:
 
 def _motion(quantity: Quantity, at: Callable[[Catalog], NDArray[np.intp]]) -> Column:
     return Column(
-        lambda it: it.read(Kind.JOINT, quantity),
+        lambda it: it.read(Kind.JOINT, quantity).ravel(),
         lambda it, new, old: it.write_joints(quantity, at(it), new, old),
     )
 
@@ -437,7 +451,7 @@ DATA: Mapping[str, Column] = {
     "qpos": _motion(Quantity.JOINT_POSITION, lambda it: it.qpos_at),
     "qvel": _motion(Quantity.JOINT_VELOCITY, lambda it: it.qvel_at),
     "qfrc_applied": _motion(Quantity.JOINT_FORCE, lambda it: it.qvel_at),
-    "qacc": _quantity(Kind.JOINT, Quantity.JOINT_ACCELERATION, COMPUTED),
+    "qacc": Column(lambda it: it.read(Kind.JOINT, Quantity.JOINT_ACCELERATION).ravel(), None, COMPUTED),
     "qfrc_actuator": Column(_motor_forces, None, COMPUTED),
     "ctrl": _quantity(Kind.ACTUATOR, Quantity.ACTUATOR_CONTROL),
     "actuator_force": _quantity(Kind.ACTUATOR, Quantity.ACTUATOR_FORCE, COMPUTED),

@@ -18,6 +18,7 @@ MOTORS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "
 EQUALITIES = ("connect", "weld", "joint", "tendon", "distance", "flex")  # MuJoCo's numbers of types
 JOINTS = ("free", "ball", "slide", "hinge")
 GEOMS = ("plane", "hfield", "sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh", "sdf")
+SENSORS = ("touch", "accelerometer", "velocimeter", "gyro", "force", "torque", "magnetometer", "rangefinder")
 ANGLES = ("euler", "axisangle", "zaxis", "xyaxes", "quat")
 
 
@@ -50,10 +51,11 @@ class Document:
         self.degrees = compiler.get("angle", "degree") == "degree"
         self.sequence = compiler.get("eulerseq", "xyz")
         self.bodies: List[Row] = [Row("body", {"name": "world"}, 0)]
-        self._of_bodies: Dict[str, List[Row]] = {tag: [] for tag in ("joint", "geom", "site")}
+        self._of_bodies: Dict[str, List[Row]] = {tag: [] for tag in ("joint", "geom", "site", "camera")}
         roots = self.root.findall("worldbody")
         self._add([child for part in roots for child in part], 0, "main")
-        self.joints, self.geoms, self.sites = (self._by_body(tag) for tag in ("joint", "geom", "site"))
+        kinds = ("joint", "geom", "site", "camera")
+        self.joints, self.geoms, self.sites, self.cameras = (self._by_body(tag) for tag in kinds)
         self.actuators = self._section("actuator", MOTORS, "actuator")
         self.sensors = self._section("sensor", None, "sensor")
         self.equalities = self._section("equality", EQUALITIES, "equality")

@@ -123,7 +123,7 @@ class Arrays:
         if name in self._table:
             return self._array(name)
         if name in KINDS or name in OTHERS:
-            return lambda which: self._element(name, which)
+            return lambda *which, **named: self._element(name, *which, **_which(named))
         if name in SHORT:
             return getattr(self, SHORT[name])
         refuse(self._owner, name)
@@ -160,6 +160,11 @@ class Arrays:
             return self._it.names(KINDS[kind][0])
         rows = getattr(self._it.document, OTHERS[kind])
         return [row.at.get("name") or (row.at.get("joint1", "") if kind == "equality" else "") for row in rows]
+
+
+def _which(named: Dict[str, Any]) -> Dict[str, Any]:
+    """The argument of an element's function, which MuJoCo calls `name` or `id`."""
+    return {"which" if key in ("name", "id") else key: value for key, value in named.items()}
 
 
 def refuse(what: str, name: str) -> NoReturn:

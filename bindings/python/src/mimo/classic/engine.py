@@ -140,8 +140,9 @@ def mj_jac(model: Any, data: Any, jacp: Any, jacr: Any, point: Any, body: int) -
     arm = np.asarray(point) - it.world.get(Quantity.BODY_POSITION, [number], now=True).ravel()
     columns = []
     try:
-        for dof in range(len(before)):  # velocities depend linearly on those of joints
-            it.all_of(Kind.JOINT)._set(Quantity.JOINT_VELOCITY, np.eye(1, len(before), dof).ravel(), None)
+        for dof in range(before.size):  # velocities depend linearly on those of joints
+            unit = np.eye(1, before.size, dof).reshape(before.shape)
+            it.all_of(Kind.JOINT)._set(Quantity.JOINT_VELOCITY, unit, None)
             columns.append(it.world.get(Quantity.BODY_VELOCITY, [number], now=True).ravel())
     finally:
         it.all_of(Kind.JOINT)._set(Quantity.JOINT_VELOCITY, before, None)
@@ -213,6 +214,10 @@ class StandIn(ModuleType):
             return mathematics.FUNCTIONS[name]
         if name in mathematics.CLASSES:
             return mathematics.CLASSES[name]
+        if name in ("MjModel", "MjData"):
+            from . import alone
+
+            return getattr(alone, name)
         if name.startswith(("mj_", "mju_", "mjv_", "mjr_", "Mj")):
             return _missing(name)
         raise AttributeError(f"mujoco has no {name!r} here; {PAGE}")

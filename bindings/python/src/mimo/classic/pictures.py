@@ -30,7 +30,7 @@ class Renderer:
             camera = world.name(Kind.CAMERA, camera_id)
         self._world, self._camera = world, camera
         self._window: Any = None
-        self._size = {"width": number_of("width", width), "height": number_of("height", height)}
+        self.width, self.height = number_of("width", width), number_of("height", height)
         self.default_cam_config: Mapping[str, Any] = dict(config or {})
         unknown = set(self.default_cam_config) - {*CONFIG, *TRACKING}
         if unknown:
@@ -42,7 +42,7 @@ class Renderer:
         """A picture of colours or depths; None with "human", which opens a window."""
         if render_mode not in MODES:
             raise ValueError(f"render_mode is {render_mode!r}, expected {', '.join(map(repr, MODES))}")
-        picture: Any = {**self._size, **self._seen_from(camera_id, camera_name)}
+        picture: Any = {"width": self.width, "height": self.height, **self._seen_from(camera_id, camera_name)}
         if render_mode == "depth_array":
             return self._world.depth(**picture)
         drawn = self._world.render(**picture)
