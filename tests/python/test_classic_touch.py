@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from mimo.classic import DEFAULT_TOUCH_PARAMS, MIMoDummyEnv
+from mimo.classic.checking import examine
 from mimo.classic.touch import GEOM_TYPES, DiscreteTouch, Touch, TrimeshTouch, scale_linear
 
 BLIND = {"vision_params": None, "vestibular_params": None}
@@ -171,3 +172,24 @@ def test_what_cannot_be_is_refused():
     other = next(it for it in touch.sensing_bodies if it not in {owner for _, owner, _ in touch.get_contacts()})
     with pytest.raises(ValueError, match=f"contact {number} is not one of {other}: its geoms are"):
         touch.get_raw_force(number, other)
+
+
+def test_checking_knows_the_members_of_touch():
+    found = examine(
+        """
+import mimoEnv
+from mimoTouch.touch import DiscreteTouch, TrimeshTouch
+
+
+class Own(TrimeshTouch):
+    def spread_wide(self, contact_id, body_id, force):
+        self.wide = True
+
+
+env = mimoEnv.make("MIMoBench-v0")
+env.touch.get_contacts(), env.touch.sensor_scales, env.touch.meshes, env.touch.add_geom, env.touch.touch_size
+env.touch.spread_wide, env.touch.wide
+env.touch.plot_force_body
+"""
+    )
+    assert found.missing == [(14, "touch.plot_force_body")]

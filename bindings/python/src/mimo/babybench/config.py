@@ -96,7 +96,7 @@ def _tell_others(given: Mapping[str, Any]) -> None:
     for name in others:
         near = difflib.get_close_matches(name, DEFAULTS, 1)
         meant = f"; did you mean {near[0]!r}?" if near else ""
-        warnings.warn(f"config has {short(name)}, which is not a switch and has no effect{meant}", stacklevel=3)
+        warnings.warn(f"config has {short(name)}, which is not a switch and has no effect{meant}", stacklevel=4)
 
 
 def _check(name: Any, value: Any) -> None:

@@ -24,14 +24,15 @@ from .pictures import Renderer
 from .sensors import SimpleProprioception, SimpleVestibular, SimpleVision
 from .settings import CHOICES, OPTIONS
 from .skin import Touch
+from .touch import DiscreteTouch, TrimeshTouch
 
-# Members of an environment, and the classes of what they are.
-PARTS: Mapping[str, Any] = {
-    "touch": Touch,
-    "vision": SimpleVision,
-    "vestibular": SimpleVestibular,
-    "proprioception": SimpleProprioception,
-    "mujoco_renderer": Renderer,
+# Members of an environment, and the classes of what they can be.
+PARTS: Mapping[str, Tuple[Any, ...]] = {
+    "touch": (Touch, TrimeshTouch, DiscreteTouch),
+    "vision": (SimpleVision,),
+    "vestibular": (SimpleVestibular,),
+    "proprioception": (SimpleProprioception,),
+    "mujoco_renderer": (Renderer,),
 }
 ENVIRONMENT = {"env", "environment", "unwrapped", "eval_env", "test_env"}  # usual names of one
 _MAKERS = {"make", "make_env"}
@@ -76,6 +77,7 @@ class _Reader(ast.NodeVisitor):
         self.things: Dict[str, str] = {}  # names in the script that are "model", "data", "env", ...
         self.unpacked: List[Any] = []
         self.derived: Set[str] = set()  # what the script's own environments define
+        self.senses: Set[str] = set()  # what its own classes of senses define
         self._inside: List[bool] = []  # whether `self` is an environment
 
     # ---- Names ----------------------------------------------------------------------------------------------------
@@ -97,6 +99,8 @@ class _Reader(ast.NodeVisitor):
                         self._of_module(node.lineno, node.module, one.name)
             elif isinstance(node, ast.ClassDef) and _is_environment(node):
                 self.derived |= _own_names(node)
+            elif isinstance(node, ast.ClassDef) and node.bases:
+                self.senses |= _own_names(node)
         for _ in range(2):  # a name of a name
             for node in ast.walk(tree):
                 if isinstance(node, ast.Assign) and len(node.targets) == 1:
@@ -223,6 +227,8 @@ class _Reader(ast.NodeVisitor):
             return
         if kind == "env" and (name in self.derived or name not in {*_members(), *PARTS} or name in ENVIRONMENT):
             return  # of the script's own, or of a wrapper
+        if kind in PARTS and name in self.senses:
+            return
         self._uses(f"{kind}.{name}", line)
         if not _has(kind, name):
             self.found.missing.append((line, f"{kind}.{name}"))
@@ -276,7 +282,7 @@ def _column(kind: str, name: str) -> Any:
 
 def _has(kind: str, name: str) -> bool:
     if kind in PARTS:
-        return hasattr(PARTS[kind], name) or name in _constructed(PARTS[kind])
+        return any(hasattr(it, name) or name in _constructed(it) for it in PARTS[kind])
     if kind == "model":
         return name in {*MODEL, *KINDS, *OTHERS, *SHORT, *COUNTS, *LISTED, "opt", "stat", "vis"} or hasattr(
             ModelView, name
@@ -291,4 +297,6 @@ def _has(kind: str, name: str) -> bool:
 
 
 def _constructed(kind: Any) -> Set[str]:
-    return _own_names(ast.parse(textwrap.dedent(inspect.getsource(kind))).body[0])  # type: ignore[arg-type]
+    """What the constructors of a class and of its bases make."""
+    bodies = (ast.parse(textwrap.dedent(inspect.getsource(it))).body[0] for it in kind.__mro__[:-1])
+    return {name for body in bodies for name in _own_names(body)}  # type: ignore[arg-type]
