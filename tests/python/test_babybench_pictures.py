@@ -76,7 +76,10 @@ def test_videos_of_an_evaluation(tmp_path):
         for _ in range(5):
             evaluation.eval_step(env.step(env.action_space.sample())[4])
         evaluation.end(episode=episode)
+    evaluation.eval_step(env.step(env.action_space.sample())[4])
+    evaluation.reset()  # an episode that is given up
     assert len(logged(tmp_path, "evaluation_1.pkl")["qpos"]) == 5
+    assert sorted(file.name for file in (tmp_path / "videos").iterdir()) == ["evaluation_0.avi", "evaluation_1.avi"]
     for episode in range(2):
         with av.open(str(tmp_path / f"videos/evaluation_{episode}.avi")) as file:
             (stream,) = file.streams.video

@@ -5,13 +5,16 @@ evaluation = mimo.babybench.EVALS["self_touch"](env, duration=1000)
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional
 
 from .logs import TRAINING, write
 from .reports import entries_of, report
 from .scores import scores_of
-from .utils import CORNERS, evaluation_img, evaluation_video
+from .utils import CORNERS, FRAME, RATE, evaluation_img
+
+UNFINISHED = "unfinished.avi"
 
 
 class Evaluation:
@@ -28,12 +31,16 @@ class Evaluation:
             raise ValueError("save_dir is None, expected a folder as an argument or in the configuration")
         self.logs, self.videos = Path(folder) / "logs", Path(folder) / "videos"
         self.render = bool(render)
+        self._film: Any = None
         self.reset()
 
     def reset(self) -> None:
         """Begins an episode."""
         self._steps: Dict[str, List[Any]] = {"qpos": [], "info": []}
-        self._frames: List[Any] = []
+        if self._film is not None:
+            self._film.give_up()
+            self._film = None
+            (self.videos / UNFINISHED).unlink()
 
     def eval_logs(self) -> str:
         """The scores of the training, in one line; also printed."""
@@ -47,15 +54,25 @@ class Evaluation:
         self._steps["qpos"].append(self.env.data.qpos.copy())
         self._steps["info"].append(dict(info))
         if self.render:
-            self._frames.append(evaluation_img(self.env, up=CORNERS[self.env.config["behavior"]]))
+            self._filmed().show(evaluation_img(self.env, up=CORNERS[self.env.config["behavior"]]))
+
+    def _filmed(self) -> Any:
+        """The video of the episode, which is written as the steps come: a thousand frames fill a gigabyte."""
+        if self._film is None:
+            from ..video import File  # needs PyAV
+
+            self.videos.mkdir(parents=True, exist_ok=True)
+            self._film = File(str(self.videos / UNFINISHED), RATE, size=FRAME)
+        return self._film
 
     def end(self, episode: int) -> Optional[Path]:
         """Ends an episode, and writes its log and its video."""
         path = self.logs / f"evaluation_{episode}.pkl"
         write(path, self._steps)
-        if self._frames:
-            self.videos.mkdir(parents=True, exist_ok=True)
-            evaluation_video(self._frames, self.videos / f"evaluation_{episode}.avi")
+        if self._film is not None:
+            self._film.finish()
+            self._film = None
+            os.replace(self.videos / UNFINISHED, self.videos / f"evaluation_{episode}.avi")
         return path
 
 

@@ -24,6 +24,7 @@ __all__ = [
 
 Picture = NDArray[np.uint8]
 MAIN, SMALL = 480, 240  # pixels of a frame's large picture and of both small ones
+FRAME, RATE = (MAIN + SMALL, MAIN), 60  # of videos: width and height, frames per second
 ACROSS = 0.9  # m that view_touches shows from side to side
 TOUCHES, EYES = "touches_with_hands", "binocular"  # pictures that are not a camera's
 # What belongs in the upper corner of a frame, by behaviour.
@@ -81,7 +82,7 @@ def evaluation_img(env: Any, up: str = "side2", down: str = "top") -> Picture:
 
 
 def evaluation_video(
-    images: Iterable[Picture], save_name: Any = None, frame_rate: int = 60, resolution: Tuple[int, int] = (720, 480)
+    images: Iterable[Picture], save_name: Any = None, frame_rate: int = RATE, resolution: Tuple[int, int] = FRAME
 ) -> None:
     """Writes pictures into a video, one of mimo.video.FORMATS. Needs the extra [video]."""
     from ..video import write  # needs PyAV
