@@ -40,7 +40,7 @@ class Evaluation:
         if self._film is not None:
             self._film.give_up()
             self._film = None
-            (self.videos / UNFINISHED).unlink()
+            (self.videos / UNFINISHED).unlink(missing_ok=True)  # there once its first packet is
 
     def eval_logs(self) -> str:
         """The scores of the training, in one line; also printed."""
