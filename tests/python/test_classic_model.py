@@ -430,3 +430,20 @@ def test_models_without_an_environment(tmp_path):
     assert original.geom("head").matid >= 0
     with pytest.raises(TypeError, match="use from_xml_path or from_xml_string"):
         mujoco.MjModel()
+
+
+def test_mocap_bodies_and_tendons(env):
+    text = """<mujoco><worldbody>
+      <body name="hand" mocap="true" pos="0 0 1"><geom size="0.1" contype="0" conaffinity="0"/></body>
+      <body><joint name="j"/><geom size="0.1"/></body></worldbody></mujoco>"""
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    assert (model.nmocap, model.body("hand").mocapid) == (1, 0)
+    data.mocap_pos[0] = [0.5, 0.25, 2]
+    data.mocap_quat[0] = [0, 1, 0, 0]
+    mujoco.mj_step(model, data)
+    assert data.body("hand").xpos.tolist() == [0.5, 0.25, 2]
+    np.testing.assert_allclose(data.body("hand").xmat.reshape(3, 3), np.diag([1, -1, -1]), atol=1e-15)
+    first = mujoco.mj_id2name(env.model, mujoco.mjtObj.mjOBJ_TENDON, 0)
+    assert mujoco.mj_name2id(env.model, mujoco.mjtObj.mjOBJ_TENDON, first) == 0
+    assert env.model.ntendon == 9  # the original's: three in the trunk, six in the head

@@ -22,7 +22,13 @@ KINDS: Mapping[str, Tuple[Kind, str]] = {
     "sensor": (Kind.SENSOR, "sensor_"),
     "light": (Kind.LIGHT, "light_"),
 }
-OTHERS: Mapping[str, str] = {"equality": "equalities", "material": "materials", "texture": "textures", "key": "keys"}
+OTHERS: Mapping[str, str] = {
+    "tendon": "tendons",
+    "equality": "equalities",
+    "material": "materials",
+    "texture": "textures",
+    "key": "keys",
+}
 SHORT = {"jnt": "joint", "cam": "camera", "eq": "equality", "mat": "material", "tex": "texture"}
 
 _OF_BODY = {"xpos": "xpos", "xquat": "xquat", "xmat": "xmat", "xipos": "xipos", "cvel": "cvel"}
