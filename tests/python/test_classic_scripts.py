@@ -146,6 +146,7 @@ def test_a_fork_with_its_own_environments_scenes_and_functions(folder):
     assert re.match(r"steps \d+ 2 robot:left_elbow", told[1])
     assert told[2] == "mimo.classic.envs mimoEnv"
     assert run(folder, "fork/mimoEnv/experiments/show_itch.py") == ["scratched 2 True"]
+    assert run(folder, "fork/nap.py") == ["mimoEnv.babybench.nap steps 5 touches True"]
 
 
 def test_a_notebook(folder):

@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import Any, Dict, List, Optional
 
 from .live import PAGE
-from .names import ENGINE, MODULES, OLD_GYM, VERSIONS, VIEWER, file_of, folders, is_ours, ours
+from .names import ENGINE, KIT_ENVIRONMENTS, MODULES, OLD_GYM, VERSIONS, VIEWER, file_of, folders, is_ours, ours
 from .scenes import scene_directory, sitting_position
 
 
@@ -59,6 +59,8 @@ class Finder(MetaPathFinder, Loader):
     def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Optional[ModuleSpec]:
         """Modules that are ours; other files in a checkout's packages are found as usual."""
         root = fullname.partition(".")[0]
+        if f"{fullname}.".startswith(f"{KIT_ENVIRONMENTS}.") and file_of(fullname, path or ()):
+            return None
         if fullname in MODULES or fullname in (ENGINE, VIEWER) or root == OLD_GYM:
             return importlib.util.spec_from_loader(fullname, self, is_package=True)
         return None

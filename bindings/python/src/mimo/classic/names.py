@@ -68,7 +68,12 @@ ROOTS = tuple(sorted({name.partition(".")[0] for name in MODULES}))
 VERSIONS: Mapping[str, str] = {"mimo_infant": "3.0.0"}
 UTILS_NAME = "mimoEnv.utils"
 RENAMED: Mapping[str, str] = {"mimo_utils": "utils"}  # names of modules that are modules here under another name
-EARLIER: Mapping[str, str] = {"MIMoV2DemoEnv": "MIMoV2DummyEnv"}  # names of earlier releases
+EARLIER: Mapping[str, str] = {  # names of earlier releases, and of the kit's environments
+    "MIMoV2DemoEnv": "MIMoV2DummyEnv",
+    "BabyBenchSelfTouchEnv": "BabyBenchEnv",
+    "BabyBenchHandRegardEnv": "BabyBenchEnv",
+}
+KIT_ENVIRONMENTS = "mimoEnv.babybench"  # a checkout with files of these runs its own, on our MIMoEnv
 ENGINE = "mujoco"  # its functions take our models, too
 VIEWER = "mujoco.viewer"
 OLD_GYM = "gym"

@@ -1,0 +1,1 @@
+from mimoEnv.babybench.nap import BabyBenchEnv, BabyBenchNapEnv  # noqa: F401
