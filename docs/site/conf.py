@@ -8,6 +8,8 @@ import re
 from pathlib import Path
 from posixpath import dirname, join, normpath
 
+from autoapi._parser import Parser
+
 ROOT = Path(__file__).resolve().parents[2]
 BUILT = ROOT / "build/docs"
 LINK = re.compile(r"\]\(([^)#\s]+)(#[^)\s]*)?\)")
@@ -113,7 +115,15 @@ def skip(app, what, name, thing, leave_out, options):
     return name not in MODULES if what in ("module", "package") else leave_out
 
 
+def imported_on_demand(parser, node):
+    """mimo imports some names when they are used, and says so under TYPE_CHECKING, where autoapi does not look."""
+    if node.root().name != "mimo" or node.test.as_string() != "TYPE_CHECKING":
+        return []
+    return [name for line in node.body for name in parser._parse_local_import_from(line)]
+
+
 def setup(app):
+    Parser.parse_if = imported_on_demand
     app.add_config_value("mimo_children", children(), "env")
     app.connect("source-read", read)
     app.connect("autodoc-process-docstring", docstring)
