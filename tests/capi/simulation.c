@@ -1,16 +1,9 @@
 /* Simulations in trouble, seen by a host: a status, a message, nothing printed, no file, and on it goes. */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 #include "support/capi.h"
-
-#ifdef _WIN32
-static int make_folder(char* name) { return mktemp(name) != NULL && mkdir(name) == 0; }
-#else
-static int make_folder(char* name) { return mkdtemp(name) != NULL; }
-#endif
+#include "support/folder.h"
 
 struct log {
   int warnings;
@@ -188,7 +181,7 @@ int main(void) {
   DIR* listing;
   struct dirent* entry;
   size_t length;
-  CHECK(make_folder(folder) && chdir(folder) == 0);
+  CHECK(enter_folder(folder));
   dup2(fileno(out), 1);
   dup2(fileno(out), 2);
   check_divergence();

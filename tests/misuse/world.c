@@ -1,5 +1,7 @@
+#define _POSIX_C_SOURCE 200809L
 #include "misuse/world.h"
 
+#include "support/folder.h"
 #include "support/mujoco.h"
 
 enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 21, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
@@ -21,6 +23,7 @@ static mimo_env* recorded; /* by the recorder */
 static const mimo_layout* dead_layout;
 static mjModel* host_model;
 static mjData* host_data;
+static char folder[] = "/tmp/mimo_misuse_XXXXXX"; /* of recordings and saved scenes */
 static unsigned char not_a_handle[256];
 static unsigned char foreign[MOST_BYTES], first_state[MOST_BYTES], first_memory[MOST_BYTES];
 
@@ -264,10 +267,8 @@ static void make_movement(void) {
 
 /* A recording of two steps of the environment, and a recorder of a world of its own. */
 static void make_recordings(void) {
-  good.run = "misuse_run.h5";
-  good.new_run = "misuse_new_run.h5";
-  remove(good.run); /* of an earlier process */
-  remove("misuse_recorded.h5");
+  good.run = "run.h5";
+  good.new_run = "new_run.h5";
   CHECK_OK(mimo_recorder_open(good.env, good.run, NULL, &dead_recorder));
   for (int i = 0; i < 2; ++i) CHECK_OK(mimo_env_step(good.env, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_recorder_close(dead_recorder));
@@ -275,7 +276,7 @@ static void make_recordings(void) {
   mimo_recording_close(dead_recording);
   CHECK_OK(mimo_recording_open(good.run, NULL, &good.recording));
   CHECK_OK(mimo_env_make("free", &recorded));
-  CHECK_OK(mimo_recorder_open(recorded, "misuse_recorded.h5", NULL, &good.recorder));
+  CHECK_OK(mimo_recorder_open(recorded, "recorded.h5", NULL, &good.recorder));
   good.made_recorder = region(sizeof(mimo_recorder*));
   good.made_recording = region(sizeof(mimo_recording*));
   good.recorder_config = region(sizeof *good.recorder_config + TAIL);
@@ -321,7 +322,7 @@ static void make_structs(void) {
 }
 
 void make_everything(void) {
-  CHECK(system("rm -rf misuse_saved_scene") == 0);
+  if (!enter_folder(folder)) exit(1);
   memset(not_a_handle, 0x5a, sizeof not_a_handle);
   make_host();
   make_dead_handles();
@@ -343,9 +344,14 @@ void make_everything(void) {
   CHECK_OK(mimo_senses_state_save(good.senses, first_memory, sizeof first_memory));
 }
 
+static void remove_folder(void) {
+  char command[100];
+  snprintf(command, sizeof command, "rm -r %s", folder);
+  CHECK(chdir("/") == 0 && system(command) == 0);
+}
+
 void destroy_everything(void) {
   size_t i;
-  CHECK(system("rm -rf misuse_saved_scene") == 0);
   mimo_scene_destroy(spare_scene);
   mimo_env_destroy(good.env);
   mimo_batch_destroy(good.batch);
@@ -359,6 +365,7 @@ void destroy_everything(void) {
     free(regions[i].bytes);
     free(regions[i].kept);
   }
+  remove_folder();
 }
 
 static void fill_configs(void) {
@@ -560,7 +567,7 @@ args good_args(int uses) {
   good.part = "head";
   good.other = "left_hand";
   good.room_name = "playroom";
-  good.folder = "misuse_saved_scene";
+  good.folder = "saved_scene";
   good.joint_name = "robot:head_tilt";
   good.path = "touch";
   good.field_name = "touch/force";
