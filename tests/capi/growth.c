@@ -174,6 +174,140 @@ static void the_two_ages_are_apart(void) {
   mimo_env_destroy(base);
 }
 
+static double gear_of(const mimo_growth* growth, const char* motor) {
+  mimo_env* env = env_of("free", "mitten", growth);
+  const double gear = value_of(env, MIMO_ACTUATOR_GEAR, MIMO_ACTUATOR, motor, 0);
+  mimo_env_destroy(env);
+  return gear;
+}
+
+/* Of the body of 18 months, whose muscles are as strong as those of 3. */
+static void strength_follows_its_exponent(void) {
+  const double length = (61.4292 + 59.8029) / 2 / length_18, whole = gear_of(NULL, "act:left_elbow");
+  mimo_growth growth = age_of(18);
+  growth.matures_apart = 1;
+  growth.physiological_age = 3;
+  growth.strength_exponent = 3;
+  CHECK_NEAR(pow(length, 3), gear_of(&growth, "act:left_elbow") / whole, 1e-4);
+  growth.strength_exponent = 0;
+  CHECK_NEAR(1, gear_of(&growth, "act:left_elbow") / whole, 1e-12);
+}
+
+static void the_neck_has_a_strength_of_its_own(void) {
+  mimo_growth growth = age_of(6);
+  const double neck = gear_of(&growth, "act:head_tilt"), elbow = gear_of(&growth, "act:left_elbow");
+  growth.neck_strength = 2.5;
+  CHECK_NEAR(2.5, gear_of(&growth, "act:head_tilt") / neck, 1e-12);
+  CHECK_NEAR(1, gear_of(&growth, "act:left_elbow") / elbow, 1e-12);
+}
+
+/* The stiffness of a joint by the document. */
+static double stiffness_of(const mimo_growth* growth, const char* joint) {
+  static char xml[1 << 20];
+  mimo_scene* scene = scene_of("free");
+  char name[100];
+  const char *at, *end, *number;
+  size_t length = 0;
+  CHECK_OK(add(scene, "mitten", "", growth));
+  CHECK_OK(mimo_scene_xml(scene, xml, sizeof xml, &length));
+  mimo_scene_destroy(scene);
+  snprintf(name, sizeof name, "name=\"%s\"", joint);
+  at = strstr(xml, name);
+  CHECK(at != NULL);
+  if (at == NULL) return 0;
+  while (*at != '<') --at;
+  end = strchr(at, '>');
+  number = strstr(at, "stiffness=\"");
+  CHECK(number != NULL && number < end);
+  return number == NULL ? 0 : strtod(number + strlen("stiffness=\""), NULL);
+}
+
+/* 1.5 by itself at birth, and nothing from six months on. */
+static void a_newborn_s_tone_is_a_factor(void) {
+  const mimo_growth half_a_year = age_of(6);
+  mimo_growth growth = age_of(0);
+  const double usual = stiffness_of(&growth, "robot:left_knee");
+  growth.birth_tone = 3;
+  CHECK_NEAR(2, stiffness_of(&growth, "robot:left_knee") / usual, 1e-6);
+  growth = half_a_year;
+  growth.birth_tone = 3;
+  CHECK_NEAR(1, stiffness_of(&growth, "robot:left_knee") / stiffness_of(&half_a_year, "robot:left_knee"), 1e-6);
+}
+
+/* Knees lack 10.7 degrees at 3 months (Broughton 1993); a quarter of the way there from where they end at 18. */
+static void contracture_is_a_share(void) {
+  mimo_growth growth = age_of(3);
+  mimo_env *base = env_of("free", "mitten", NULL), *env;
+  const double end = value_of(base, MIMO_JOINT_RANGE, MIMO_JOINT, "robot:left_knee", 1);
+  growth.contracture = 0.25;
+  env = env_of("free", "mitten", &growth);
+  CHECK_NEAR(0.75 * end - 0.25 * 10.7 * acos(-1) / 180,
+             value_of(env, MIMO_JOINT_RANGE, MIMO_JOINT, "robot:left_knee", 1), 1e-9);
+  mimo_env_destroy(env);
+  mimo_env_destroy(base);
+}
+
+static double height_of(const mimo_growth* growth) {
+  mimo_env* env = env_of("free", "mitten", growth);
+  const double height = info_of(env, 0).height;
+  mimo_env_destroy(env);
+  return height;
+}
+
+static double head_of(const mimo_growth* growth) {
+  mimo_env* env = env_of("free", "mitten", growth);
+  const double size = value_of(env, MIMO_GEOM_SIZE, MIMO_GEOM, "head", 0);
+  mimo_env_destroy(env);
+  return size;
+}
+
+/* 97.725 of 100 are below two standard deviations. L of the standard for heads is 1: they are apart equally. */
+static void percentiles_and_heads(void) {
+  mimo_growth growth = age_of(6), high = growth, low = growth;
+  growth.z_length = growth.z_weight = growth.z_head = 2;
+  high.percentile = 97.72498680518208;
+  CHECK_NEAR(height_of(&growth), height_of(&high), 1e-9);
+  high = age_of(6);
+  high.z_head = 2;
+  low.z_head = -2;
+  growth = age_of(6);
+  CHECK(head_of(&high) > 1.03 * head_of(&growth));
+  CHECK_NEAR(head_of(&growth), (head_of(&high) + head_of(&low)) / 2, 1e-9);
+}
+
+/* Sensors by their number, which a smaller skin keeps, or by their spacing. */
+static void sensors_keep_their_number_or_spacing(void) {
+  mimo_growth growth = age_of(0);
+  mimo_env *env = env_of("free", "mitten", NULL), *newborn = env_of("free", "mitten", &growth), *apart;
+  const size_t sensors = field_of(env, "touch/force").receptors;
+  CHECK(field_of(newborn, "touch/force").receptors == sensors);
+  growth.keep_spacing = 1;
+  apart = env_of("free", "mitten", &growth);
+  CHECK(field_of(apart, "touch/force").receptors < 0.7 * (double)sensors);
+  mimo_env_destroy(env);
+  mimo_env_destroy(newborn);
+  mimo_env_destroy(apart);
+}
+
+static void nerves_mature_where_they_are_asked_to(void) {
+  mimo_growth growth = age_of(1);
+  mimo_env *env = env_of("free", "mitten", &growth), *slow;
+  CHECK(delay_of(env, "proprioception/position", 0) == 0);
+  growth.maturity = MIMO_MATURITY_BODY | MIMO_MATURITY_DELAYS;
+  slow = env_of("free", "mitten", &growth);
+  CHECK(delay_of(slow, "proprioception/position", 0) > 0);
+  mimo_env_destroy(env);
+  mimo_env_destroy(slow);
+}
+
+/* By the original's rules another body, except at 18 months. */
+static void models_differ(void) {
+  mimo_growth growth = age_of(6);
+  const double by_who = height_of(&growth);
+  growth.model = MIMO_GROWTH_ORIGINAL;
+  CHECK(fabs(height_of(&growth) - by_who) > 0.001);
+}
+
 static void siblings(void) {
   const mimo_growth young = age_of(2), old = age_of(20);
   mimo_scene* scene = scene_of("playdate");
@@ -233,6 +367,14 @@ int main(void) {
   the_layout_is_the_same_at_all_ages("mitten");
   the_layout_is_the_same_at_all_ages("fingers");
   the_two_ages_are_apart();
+  strength_follows_its_exponent();
+  the_neck_has_a_strength_of_its_own();
+  a_newborn_s_tone_is_a_factor();
+  contracture_is_a_share();
+  percentiles_and_heads();
+  sensors_keep_their_number_or_spacing();
+  nerves_mature_where_they_are_asked_to();
+  models_differ();
   siblings();
   of_the_document();
   refused();

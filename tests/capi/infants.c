@@ -475,7 +475,37 @@ static void check_ten_see(mimo_env* env) {
   for (i = 0; i + 1 < TEN; ++i) check_sees(env, i, "eye_right", i + 1);
 }
 
+/* What docs/tasks.md says of scenes: motors, and senses besides proprioception. */
+static void check_defaults(void) {
+  static const struct row {
+    const char *scene, *body;
+    size_t actions;
+    int balance, touch, muscles;
+  } rows[] = {{"reach", "mitten", 8, 0, 0, 0},
+              {"standup", "mitten", 27, 1, 0, 0},
+              {"selfbody", "mitten", 8, 0, 1, 0},
+              {"catch", "fingers", 40, 0, 1, 1},
+              {"rollover", "mitten", 38, 1, 1, 0}};
+  mimo_agent_config config;
+  size_t i;
+  for (i = 0; i < sizeof rows / sizeof *rows; ++i) {
+    const struct row* row = &rows[i];
+    mimo_scene* scene = room(row->scene, NULL);
+    mimo_env* env;
+    CHECK_OK(mimo_scene_default_agent(scene, &config, sizeof config));
+    CHECK(config.struct_size == sizeof config && config.proprioception != 0 && config.vision == 0);
+    CHECK_TEXT(row->body, config.body);
+    CHECK((config.vestibular != 0) == row->balance && (config.touch != 0) == row->touch);
+    CHECK((config.actuation == MIMO_ACTUATION_MUSCLE) == row->muscles);
+    CHECK_OK(mimo_scene_add_agent(scene, &config, NULL));
+    env = env_of(scene);
+    CHECK(sizes_of(env).actions == row->actions);
+    mimo_env_destroy(env);
+  }
+}
+
 int main(void) {
+  check_defaults();
   check_places();
   mimo_env* ten;
   check_apart();
