@@ -1,10 +1,11 @@
 """What is made of the public headers, and what is kept of them before a release."""
 
+import re
 import shutil
 
 from .build import build
 from .need import need
-from .shell import BUILD, PYTHON, ROOT, copy, run, version
+from .shell import BUILD, PYTHON, ROOT, copy, fresh, run, version
 
 MADE = ROOT / "interface"
 
@@ -13,6 +14,17 @@ def interface(*arguments):
     """Renews what is made of the public headers, all of whose declarations have to be documented."""
     need("docs")
     run(PYTHON, MADE / "generate.py", *arguments)
+
+
+def record(file):
+    """Makes a recording of an infant of six months, in a scene without textures, which would be most of it."""
+    folder = fresh(BUILD / "kept")
+    run(BUILD / "bin/kept_states", "scene", folder / "saved")
+    scene = (folder / "saved/scene.xml").read_text()
+    (folder / "plain.xml").write_text(re.sub(r'<texture [^>]*/>| texture="[^"]*"', "", scene))
+    file.unlink(missing_ok=True)
+    options = ("--age", 6, "--touch", 0.1, "--seconds", 0.3, "--state-every", 0.1, "--seed", 7, "--keep", "all")
+    run(BUILD / "bin/mimo", "record", "--scene", folder / "plain.xml", *options, "--out", file)
 
 
 def freeze():
@@ -29,6 +41,7 @@ def freeze():
     interface()
     shutil.copy(MADE / "interface.json", kept)
     run("tests/abi/check_abi", "cc", "include/mimo/mimo.h", "tests/abi/baseline.abi", "--write")
-    build("release", "kept_states")
+    build("release", "mimo_program", "kept_states")
     run(BUILD / "bin/kept_states", "write", states)
+    record(states / "recording.h5")
     print(f"Frozen as {name}; git diff tests/abi tests/states shows what is promised from now on")

@@ -3,12 +3,13 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import time
 import unittest
 
-from program import PROGRAM, Case, can_load
+from program import PROGRAM, SOURCES, Case, can_load
 
 try:
     import h5py
@@ -55,6 +56,15 @@ class Record(Case):
         report = self.replay(file="empty/run.h5")
         self.assertIs(report["identical"], True)
         self.assertIs(self.replay("--by-joints", file="empty/run.h5")["by_joints"], True)
+
+    def test_recordings_of_earlier_libraries_are_replayed(self):
+        kept = sorted((SOURCES / "tests/states").glob("*/recording.h5"))
+        self.assertTrue(kept)
+        for file in kept:
+            shutil.copy(file, self.folder / "run.h5")
+            report = self.replay()
+            self.assertEqual(report["steps"], 30)
+            self.assertLess(report["largest_difference"], 1e-6)  # to rounding, which may differ from build to build
 
     @needs_h5py
     def test_recordings_of_older_versions_say_what_they_lack(self):
