@@ -53,7 +53,8 @@ def test_no_example_is_forgotten(root):
         "cluster.py",
         "torchrl_ppo.py",
         "receptor_steps.py",
-    }  # in test_classic_scripts, test_ray, test_torchrl, and below
+        "without_binding.py",
+    }  # in test_classic_scripts, test_ray, test_torchrl, below, and in examples/CMakeLists.txt
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | elsewhere
 
 
