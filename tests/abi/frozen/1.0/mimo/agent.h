@@ -121,7 +121,8 @@ typedef struct mimo_agent_config {
   int32_t touch_response;      /**< A MIMO_RESPONSE_ constant: how a touch spreads over sensors. Default _LINEAR. */
   int32_t touch_frame;         /**< A MIMO_FRAME_ constant: of touch/force with three components. Default _BODY. */
   uint32_t reflexes;           /**< MIMO_REFLEX_ bits; adds the field reflex/activation; 0 (default): none. */
-  double touch_scale;          /**< Divides the distances between sensors: 2 gives 4 times as many. Default 1. */
+  double touch_scale;          /**< Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many.
+                                    Default 1. */
   double touch_slip_threshold; /**< Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005. */
   const char *face;            /**< Its first face, see mimo_face_name; NULL: neutral. */
   const char *root;            /**< With body "scene": the body of the model that, with its children, is the agent;

@@ -31,8 +31,19 @@ extern "C" {
  */
 MIMO_API mimo_status mimo_convert_points(int32_t axes, float *points, size_t point_count) MIMO_NOEXCEPT;
 
-/** Converts directions in place: normals, forces, velocities; their lengths do not change. */
+/**
+ * Converts directions in place: normals, forces, velocities; their lengths do not change.
+ * @param directions three numbers each, in libmimo's frame.
+ */
 MIMO_API mimo_status mimo_convert_directions(int32_t axes, float *directions, size_t direction_count) MIMO_NOEXCEPT;
+
+/**
+ * Converts poses in place, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
+ * (MIMO_BODY_POSE, with MIMO_NOW the current ones). Like mimo_env_poses for all elements of a kind.
+ * @param poses seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
+ *              order of the frame.
+ */
+MIMO_API mimo_status mimo_convert_poses(int32_t axes, float *poses, size_t pose_count) MIMO_NOEXCEPT;
 
 /**
  * Current poses of all elements of a kind, one after the other: position, and a quaternion in the order of the frame.

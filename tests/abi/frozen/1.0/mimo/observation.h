@@ -21,7 +21,7 @@ extern "C" {
  */
 typedef struct mimo_layout mimo_layout;
 
-/** The sizes of one world. */
+/** The sizes of one world, and the length of its steps. */
 typedef struct mimo_layout_info {
   uint32_t struct_size; /**< sizeof(mimo_layout_info), set by the caller. */
   uint32_t reserved;    /**< 0. */
@@ -30,6 +30,8 @@ typedef struct mimo_layout_info {
   size_t actions;       /**< Number of actions of all agents together. */
   size_t agents;        /**< Number of agents, so of rewards, flags and outcomes. */
   size_t terms;         /**< Number of reward terms of all agents together. */
+  double step_seconds;  /**< Simulated seconds from one step to the next: of a world frame_skip physics steps, of
+                             attached senses `step` of mimo_senses_config. */
 } mimo_layout_info;
 
 /** Returns the sizes. Set info->struct_size first. */

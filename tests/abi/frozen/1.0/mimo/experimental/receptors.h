@@ -41,6 +41,12 @@ extern "C" {
  */
 #define MIMO_BODY_NERVE_LENGTH 0x0108
 /**
+ * Body: 9, what inertial sensors in the origin of its frame read, in that frame: acceleration with gravity's (m/s^2; at
+ * rest 9.81 upwards, in free fall 0), angular velocity (rad/s), angular acceleration (rad/s^2). With a, w and b for
+ * these, a sensor at the point p of the body reads the acceleration a + b x p + w x (w x p). Physics steps compute it.
+ */
+#define MIMO_BODY_INERTIAL 0x0109
+/**
  * Actuator: 4, what its two muscles' fusimotor neurons are told, Hz, 0 to 500: dynamic and static of the one that pulls
  * to the negative side, then of the other; until you change it or the world is reset, 70 each. None where its agent
  * senses no spindles, MIMO_PROPRIOCEPTION_SPINDLE_PRIMARY or _SECONDARY. Writable.

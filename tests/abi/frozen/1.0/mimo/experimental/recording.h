@@ -110,7 +110,8 @@ MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
  * @param config NULL means as recorded. Else the renderer, its settings, the log, timing and contacts of steps are
  *               those of this config, whose other members are as mimo_env_config_init leaves them.
  * @param senses NULL means as recorded. Else what each infant senses: proprioception, vestibular, vision, touch and
- *               hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED.
+ *               hearing of this config, with all that belongs to them; each may be MIMO_AS_RECORDED. Limits of
+ *               fields that are then left out go with them.
  * @param env    receives the handle; destroy it with mimo_env_destroy. It may outlive the recording, whose file stays
  *               open where infants had several ages.
  * Errors: MIMO_E_UNSUPPORTED for a recording of format version 1 or 2, which holds no world; as mimo_env_create;
@@ -119,7 +120,10 @@ MIMO_API mimo_status mimo_recording_open(const char *path, const char *hdf5,
 MIMO_API mimo_status mimo_recording_env(const mimo_recording *recording, const mimo_env_config *config,
                                         const mimo_agent_config *senses, mimo_env **env) MIMO_NOEXCEPT;
 
-/** Closes a recording. NULL and destroyed handles are ignored. */
+/**
+ * Closes a recording. NULL and destroyed handles are ignored. Where infants had several ages, the file stays open as
+ * long as a world of mimo_recording_env.
+ */
 MIMO_API void mimo_recording_close(mimo_recording *recording) MIMO_NOEXCEPT;
 
 /** What a recording holds. Its strings belong to the recording. */
@@ -147,7 +151,8 @@ MIMO_API mimo_status mimo_recording_describe(const mimo_recording *recording, mi
 
 /**
  * How many rows a dataset has ("actions", "joints/position", "fields/hearing/ear_left"), and how long they are.
- * @param rows, row_bytes receive the sizes; either may be NULL.
+ * @param rows      receives their number; may be NULL.
+ * @param row_bytes receives the length of one; may be NULL.
  * Errors: MIMO_E_NOT_FOUND where the recording does not have it.
  */
 MIMO_API mimo_status mimo_recording_size(const mimo_recording *recording, const char *dataset, size_t *rows,
@@ -155,8 +160,9 @@ MIMO_API mimo_status mimo_recording_size(const mimo_recording *recording, const 
 
 /**
  * Reads rows of a dataset, as numbers of the type that they have in the file.
- * @param first, rows which; all of them must be there.
- * @param values      receives rows times row_bytes bytes.
+ * @param first  the first row.
+ * @param rows   how many; all of them must be there.
+ * @param values receives rows times row_bytes bytes.
  */
 MIMO_API mimo_status mimo_recording_read(const mimo_recording *recording, const char *dataset, size_t first,
                                          size_t rows, void *values, size_t value_bytes) MIMO_NOEXCEPT;
@@ -183,7 +189,7 @@ MIMO_API mimo_status mimo_recording_seek(mimo_recording *recording, mimo_env *en
  * Plays the next step in the world that was given to mimo_recording_seek: loads a state where something else had
  * changed that world, steps with the recorded actions, and compares what comes of it with the recording, bit for bit.
  * Between two calls the world may be looked at, not changed.
- * @param block, block_bytes, results as in mimo_env_step.
+ * @param block       as in mimo_env_step, and so are block_bytes and results.
  * Errors: MIMO_E_END behind the last step; MIMO_E_INVALID_ARGUMENT for another world than that of the seek;
  *         MIMO_E_BUSY before any seek; as mimo_env_step. After MIMO_E_TASK the replay goes on with the next step.
  */
