@@ -11,6 +11,7 @@ function layout = mimo_layout(world)
 %     terms        struct array: name, agent; of the terms that mimo_step returns
 %     agents       the number of agents
 %     block_bytes  the length of an observation in the library
+%     step_seconds the simulated time of a step
 %   Agents are counted from 1.
 layout = mimo_mex('layout', world);
 end

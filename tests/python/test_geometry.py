@@ -244,3 +244,13 @@ def test_wrong_arguments(small):
     with pytest.raises(ValueError, match="rows of 3"):
         mimo.convert_points([1, 2], "godot")
     np.testing.assert_array_equal(mimo.convert_directions([[1, 2, 3]], "gltf"), [[2, 3, 1]])
+    with pytest.raises(ValueError, match="rows of 7"):
+        mimo.convert_poses([1, 2, 3], "godot")
+
+
+def test_poses_of_single_bodies(small):
+    hands = small.bodies("left_hand", "right_hand")
+    poses = mimo.convert_poses(hands.read("pose", now=True), "unreal")
+    everything = small.poses("body", axes="unreal")
+    np.testing.assert_array_equal(poses[:, :3], everything.positions[hands.ids])
+    np.testing.assert_array_equal(poses[:, 3:], everything.rotations[hands.ids])

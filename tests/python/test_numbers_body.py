@@ -171,6 +171,7 @@ def test_time_steps(scene):
     page = Page("guide/time-and-frames.md")
     with mimo.World(scene, vision=False) as world:
         assert world.timestep == 0.005
+        assert world.layout.step_seconds == world.timestep * world.frame_skip
         said = "Built-in scenes take {} of them," if scene == "free" else "of them, `selfbody` {}."
         page.says(said, world.frame_skip)
 

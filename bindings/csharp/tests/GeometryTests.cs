@@ -35,6 +35,9 @@ internal static partial class Tests
         var direction = new float[] { 1, 2, 3 };
         Frames.ConvertDirections(Axes.Unity, direction);
         Check(direction.SequenceEqual(new float[] { -2, 3, 1 }), "right, up, forward");
+        var pose = new float[] { 1, 2, 3, 1, 0, 0, 0 };
+        Frames.ConvertPoses(Axes.Unity, pose);
+        Check(pose.SequenceEqual(new float[] { -2, 3, 1, 0, 0, 0, 1 }), "the scalar comes last");
     }
 
     /// <summary>Keeps everything it receives, as an engine would.</summary>

@@ -311,6 +311,7 @@ function engines_get_meshes_and_poses()
   assert(isequal(unity(1:3, :), [-ours(2, :); ours(3, :); ours(1, :)]) && isequal(unity(7, :), ours(4, :)));
   assert(isequal(mimo_convert('points', [1; 2; 3], 'unreal'), [100; -200; 300]));
   assert(isequal(mimo_convert('directions', [1; 2; 3], 'unreal'), [1; -2; 3]));
+  assert(isequal(mimo_convert('poses', ours, 'unity'), unity) && mimo_layout(world).step_seconds == 0.01);
   assert(mimo_light(world, 0).directional == 1 && mimo_light(world, 1, 'godot').active == 1);
   refused(@() mimo_mesh(world, head, 'blender'), 'mimo:INVALID_ARGUMENT');
   refused(@() mimo_mesh(world, head, 'unity', 6), 'mimo:INVALID_ARGUMENT');

@@ -58,7 +58,7 @@ class Env(gymnasium.Env[Any, NDArray[np.float32]]):
         self._view = View(self.world.layout.fields, self._judge.fields if self._judge else {}, flatten)
         self.observation_space: Any = self._view.space
         self.action_space: Any = action_box(self.world.action_low, self.world.action_high)
-        self.metadata = {**self.metadata, "render_fps": round(1 / (self.world.timestep * self.world.frame_skip))}
+        self.metadata = {**self.metadata, "render_fps": round(1 / self.world.layout.step_seconds)}
         if isinstance(task, GoalTask):  # only with goals: learners test for this attribute
             self.compute_reward = task.compute_reward
         self._viewer: Any = None

@@ -46,6 +46,10 @@ fn poses_convert_to_an_engines_frame() {
     mimo::convert_points(Axes::UNREAL, &mut points).unwrap();
     mimo::convert_directions(Axes::UNREAL, &mut directions).unwrap();
     assert_eq!((points, directions), ([[100.0, -200.0, 300.0]], [[1.0, -2.0, 3.0]]));
+    let mut converted = ours.clone();
+    mimo::convert_poses(Axes::UNITY, &mut converted).unwrap();
+    assert_eq!(converted, unity);
+    assert_eq!(env.layout().unwrap().info().step_seconds, 0.01);
     let head = env.light(None, Axes::GODOT).unwrap();
     assert!(head.directional && head.attenuation == [1.0, 0.0, 0.0]);
     let lamp = env.light(Some(0), Axes::MIMO).unwrap();
