@@ -82,11 +82,8 @@ void set(env::World& world, const Quantity& quantity, const Ids& ids, Span<const
   if (quantity.write_all != nullptr) return quantity.write_all(world, ids, values);
   const double* from = values.data();
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    const int count = width(quantity, physics.model(), &world, ids[i]);
-    double element[kWidest];
-    std::copy_n(from, count, element);
-    quantity.write(world, ids[i], element);
-    from += count;
+    quantity.write(world, ids[i], from);
+    from += width(quantity, physics.model(), &world, ids[i]);
   }
   if (quantity.moves && !physics.failed()) physics.update_poses();
 }

@@ -34,7 +34,7 @@ using Check = void (*)(const env::World& world, int id, const double* values);
 
 struct Written {
   Writing writing;
-  void (*how)(env::World& world, int id, double* values);
+  void (*how)(env::World& world, int id, const double* values);
   Check check = nullptr;
 };
 
@@ -86,7 +86,7 @@ constexpr void put(Quantity& row, AllWritten written) {
 
 template <typename... Columns>
 constexpr Quantity row(mimo_quantity number, const char* constant, Columns... columns) {
-  Quantity made{number, constant};
+  Quantity made{constant, number};
   (put(made, columns), ...);
   return made;
 }
@@ -104,31 +104,32 @@ T* array_of(const Element& one, T* mjModel::*array) {
 
 // So many numbers of an array of MuJoCo's for each element.
 template <auto array, int count>
-constexpr Stored stored{[](const Element& one) -> const double* { return array_of(one, array) + count * one.id; },
-                        count};
+constexpr Stored kStored{[](const Element& one) -> const double* { return array_of(one, array) + count * one.id; },
+                         count};
 
 // Of each element from where another array says.
 template <auto array, auto addresses>
-constexpr Stored stored_at{
+constexpr Stored kStoredAt{
     [](const Element& one) -> const double* { return array_of(one, array) + array_of(one, addresses)[one.id]; }};
 
 // Of single precision.
 template <auto array, int count>
-constexpr Computed floats{
+constexpr Computed kFloats{
     [](const Element& one, double* to) { std::copy_n(array_of(one, array) + count * one.id, count, to); }, count};
 
 template <auto matrices>
-constexpr Computed orientation{[](const Element& one, double* to) {
-                                 const auto quaternion = engine::quaternion(array_of(one, matrices) + 9 * one.id);
-                                 std::copy_n(quaternion.data(), 4, to);
-                               },
-                               4};
+constexpr Computed kOrientationOf{[](const Element& one, double* to) {
+                                    const auto quaternion = engine::quaternion(array_of(one, matrices) + 9 * one.id);
+                                    std::copy_n(quaternion.data(), 4, to);
+                                  },
+                                  4};
 
 template <auto positions, auto matrices>
-constexpr Computed pose{[](const Element& one, double* to) {
-                          orientation<matrices>.how(one, std::copy_n(array_of(one, positions) + 3 * one.id, 3, to));
-                        },
-                        7};
+constexpr Computed kPoseOf{[](const Element& one, double* to) {
+                             kOrientationOf<matrices>.how(one,
+                                                          std::copy_n(array_of(one, positions) + 3 * one.id, 3, to));
+                           },
+                           7};
 
 // Numbers that lie behind each other, whatever their type.
 inline void copy(double number, double* to) { *to = number; }
@@ -138,7 +139,7 @@ void copy(const List& list, double* to) {
 }
 
 template <auto member>
-constexpr Computed of_step_contact{[](const Element& one, double* to) {
+constexpr Computed kOfStepContact{[](const Element& one, double* to) {
   const Span<const env::StepContact> all = one.world->step_contacts().all();
   copy(all[static_cast<std::size_t>(one.id)].*member, to);
 }};
@@ -147,13 +148,13 @@ constexpr Computed of_step_contact{[](const Element& one, double* to) {
 
 // Numbers of an array of MuJoCo's for each element.
 template <auto array, int count>
-void write_stored(env::World& world, int id, double* values) {
+void write_stored(env::World& world, int id, const double* values) {
   std::copy_n(values, count, world.physics().data().*array + count * id);
 }
 
 // Of a joint's axes.
 template <auto array>
-void write_axes(env::World& world, int joint, double* values) {
+void write_axes(env::World& world, int joint, const double* values) {
   const mjModel& model = world.model();
   std::copy_n(values, engine::velocity_count(model.jnt_type[joint]),
               world.physics().data().*array + model.jnt_dofadr[joint]);
@@ -161,7 +162,7 @@ void write_axes(env::World& world, int joint, double* values) {
 
 // What a world has of its own in the model, by the function of its physics that tells where it is.
 template <auto where, int count>
-void write_own(env::World& world, int id, double* values) {
+void write_own(env::World& world, int id, const double* values) {
   auto* to = (world.physics().*where)(id);
   std::transform(values, values + count, to, [](double value) { return static_cast<decltype(*to + 0)>(value); });
 }

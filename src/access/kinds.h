@@ -15,8 +15,9 @@ struct Kind {
   const char* (*name)(const env::World& world, int id);  // "" for what has none
   const char* frame = "";                                // in which its quantities are that are not in space
   int (*body)(const mjModel& model, int id) = nullptr;   // that it belongs to, of a body its parent; null: to none
-  bool alike = true;                                     // other worlds of the same model have as many
 
+  // Whether other worlds of the same model have as many.
+  constexpr bool alike() const { return number != MIMO_CONTACT && number != MIMO_STEP_CONTACT; }
   constexpr bool in_model() const { return number <= MIMO_LIGHT; }
 };
 

@@ -1,5 +1,6 @@
 #include "access/quantities.h"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -28,10 +29,14 @@ double norm(const double* numbers, int count) {
 }
 
 // Numbers whose squares are too large for a double have a direction too.
-void normalise(double* numbers, int count) {
-  if (std::isinf(norm(numbers, count))) std::for_each(numbers, numbers + count, [](double& x) { x *= 1e-200; });
-  const double length = norm(numbers, count);
-  std::for_each(numbers, numbers + count, [length](double& x) { x /= length; });
+template <std::size_t count>
+std::array<double, count> normalised(const double* numbers) {
+  std::array<double, count> unit{};
+  const double scale = std::isinf(norm(numbers, count)) ? 1e-200 : 1;
+  std::transform(numbers, numbers + count, unit.begin(), [scale](double x) { return x * scale; });
+  const double length = norm(unit.data(), count);
+  for (double& x : unit) x /= length;
+  return unit;
 }
 
 void check_quaternion(const char* whose, int id, const double* quaternion) {
@@ -79,9 +84,10 @@ void check_turn(const World& world, int body, const double* values) {
 }
 
 // Null: it stays.
-void place(World& world, int body, const double* position, double* orientation) {
+void place(World& world, int body, const double* position, const double* orientation) {
   engine::Physics& physics = world.physics();
-  if (orientation != nullptr) normalise(orientation, 4);
+  std::array<double, 4> unit{};
+  if (orientation != nullptr) orientation = (unit = normalised<4>(orientation)).data();
   const int joint = free_joint(physics.model(), body);
   if (joint < 0) return physics.place(body, position, orientation);
   double* to = physics.data().qpos + physics.model().jnt_qposadr[joint];
@@ -128,11 +134,14 @@ void check_joint_position(const World& world, int joint, const double* values) {
   if (quaternion >= 0) check_quaternion("joint", joint, values + quaternion);
 }
 
-void set_joint_position(World& world, int joint, double* values) {
+void set_joint_position(World& world, int joint, const double* values) {
   const mjModel& model = world.model();
-  const int type = model.jnt_type[joint];
-  if (const int quaternion = engine::quaternion_place(type); quaternion >= 0) normalise(values + quaternion, 4);
-  std::copy_n(values, engine::position_count(type), world.physics().data().qpos + model.jnt_qposadr[joint]);
+  const int type = model.jnt_type[joint], quaternion = engine::quaternion_place(type);
+  double* to = world.physics().data().qpos + model.jnt_qposadr[joint];
+  std::copy_n(values, engine::position_count(type), to);
+  if (quaternion < 0) return;
+  const auto unit = normalised<4>(values + quaternion);
+  std::copy(unit.begin(), unit.end(), to + quaternion);
 }
 
 void read_range(const Element& joint, double* to) {
@@ -165,7 +174,7 @@ void check_lock(const World& world, int joint, const double* values) {
           range[1], name);
 }
 
-void set_lock(World& world, int joint, double* values) {
+void set_lock(World& world, int joint, const double* values) {
   engine::Physics& physics = world.physics();
   const int lock = engine::find_lock(physics.model(), joint);
   if (values[0] != 0) {
@@ -204,14 +213,11 @@ void check_light_direction(const World& world, int light, const double* values) 
   require(norm(values, 3) > 1e-9, "values: the direction of light {} is zero", light);
 }
 
-void turn_light(World& world, int light, double* direction) {
-  normalise(direction, 3);
-  write_own<&engine::Physics::light_direction, 3>(world, light, direction);
+void turn_light(World& world, int light, const double* direction) {
+  write_own<&engine::Physics::light_direction, 3>(world, light, normalised<3>(direction).data());
 }
 
 // ---- Motors and sensors ---------------------------------------------------------------------------------------------
-
-static_assert(senses::FusimotorDrives::kNumbers <= kWidest);
 
 // Whose spindles a motor has; null: nobody's.
 senses::FusimotorDrives* drives_of(const World* world, int motor) {
@@ -235,7 +241,7 @@ void check_drive(const World& world, int motor, const double* values) {
                 receptors::kMostFusimotorDrive);
 }
 
-void set_drive(World& world, int motor, double* values) {
+void set_drive(World& world, int motor, const double* values) {
   if (auto* drives = drives_of(&world, motor)) drives->set(motor, values);
 }
 
@@ -247,7 +253,7 @@ engine::Meeting met(const Element& one) { return engine::meeting(one.model, one.
 
 // From number `first` of its force and torque.
 template <int first>
-constexpr Computed contact_force{[](const Element& one, double* to) {
+constexpr Computed kContactForce{[](const Element& one, double* to) {
                                    const auto force = engine::contact_force(one.model, one.data, one.id);
                                    std::copy_n(force.data() + first, 3, to);
                                  },
@@ -276,85 +282,89 @@ constexpr Moment kPose = Moment::kPose, kStep = Moment::kStep;
 constexpr Writing kState = Writing::kState, kKept = Writing::kWorld;
 
 constexpr Quantity kTable[] = {
-    QUANTITY(MIMO_BODY_POSITION, In{"m"}, Spatial::kPosition, kPose, stored<&mjData::xpos, 3>,
-             Written{kState, [](World& world, int id, double* to) { place(world, id, to, nullptr); }, check_place},
-             Moves{}),
-    QUANTITY(MIMO_BODY_ORIENTATION, Spatial::kOrientation, kPose, stored<&mjData::xquat, 4>,
-             Written{kState, [](World& world, int id, double* to) { place(world, id, nullptr, to); }, check_turn<4>},
-             Moves{}),
+    QUANTITY(
+        MIMO_BODY_POSITION, In{"m"}, Spatial::kPosition, kPose, kStored<&mjData::xpos, 3>,
+        Written{kState, [](World& world, int id, const double* to) { place(world, id, to, nullptr); }, check_place},
+        Moves{}),
+    QUANTITY(
+        MIMO_BODY_ORIENTATION, Spatial::kOrientation, kPose, kStored<&mjData::xquat, 4>,
+        Written{kState, [](World& world, int id, const double* to) { place(world, id, nullptr, to); }, check_turn<4>},
+        Moves{}),
     QUANTITY(MIMO_BODY_VELOCITY, 6, Spatial::kVelocity, kPose, Computed{[](const Element& one, double* to) {
                copy(engine::body_velocity(one.model, one.data, one.id), to);
              }}),
-    QUANTITY(MIMO_BODY_FORCE, Frame{"world"}, stored<&mjData::xfrc_applied, 6>,
+    QUANTITY(MIMO_BODY_FORCE, Frame{"world"}, kStored<&mjData::xfrc_applied, 6>,
              Written{kState, write_stored<&mjData::xfrc_applied, 6>}),
-    QUANTITY(MIMO_BODY_MASS, In{"kg"}, stored<&mjModel::body_mass, 1>, AllWritten{kKept, set_masses, check_mass}),
-    QUANTITY(MIMO_BODY_CENTER_OF_MASS, In{"m"}, Spatial::kPosition, kPose, stored<&mjData::xipos, 3>),
-    QUANTITY(MIMO_BODY_POSE, 7, Spatial::kPose, kPose, Computed{[](const Element& one, double* to) {
-               std::copy_n(one.data.xquat + 4 * one.id, 4, std::copy_n(one.data.xpos + 3 * one.id, 3, to));
-             }},
-             Written{kState, [](World& world, int id, double* to) { place(world, id, to, to + 3); }, check_turn<7>},
-             Moves{}),
+    QUANTITY(MIMO_BODY_MASS, In{"kg"}, kStored<&mjModel::body_mass, 1>, AllWritten{kKept, set_masses, check_mass}),
+    QUANTITY(MIMO_BODY_CENTER_OF_MASS, In{"m"}, Spatial::kPosition, kPose, kStored<&mjData::xipos, 3>),
+    QUANTITY(
+        MIMO_BODY_POSE, 7, Spatial::kPose, kPose, Computed{[](const Element& one, double* to) {
+          std::copy_n(one.data.xquat + 4 * one.id, 4, std::copy_n(one.data.xpos + 3 * one.id, 3, to));
+        }},
+        Written{kState, [](World& world, int id, const double* to) { place(world, id, to, to + 3); }, check_turn<7>},
+        Moves{}),
     QUANTITY(MIMO_BODY_NERVE_LENGTH, 1, In{"m"},
              Computed{[](const Element& one, double* to) { *to = body::nerve_length(one.model, one.id); }}),
     QUANTITY(MIMO_BODY_INERTIAL, 9, Frame{"body"}, kStep, Computed{read_inertial}),
 
-    QUANTITY(MIMO_JOINT_POSITION, position_count, In{"rad", "m"}, stored_at<&mjData::qpos, &mjModel::jnt_qposadr>,
+    QUANTITY(MIMO_JOINT_POSITION, position_count, In{"rad", "m"}, kStoredAt<&mjData::qpos, &mjModel::jnt_qposadr>,
              Written{kState, set_joint_position, check_joint_position}, Moves{}),
-    QUANTITY(MIMO_JOINT_VELOCITY, velocity_count, In{"rad/s", "m/s"}, stored_at<&mjData::qvel, &mjModel::jnt_dofadr>,
+    QUANTITY(MIMO_JOINT_VELOCITY, velocity_count, In{"rad/s", "m/s"}, kStoredAt<&mjData::qvel, &mjModel::jnt_dofadr>,
              Written{kState, write_axes<&mjData::qvel>}),
-    QUANTITY(MIMO_JOINT_FORCE, velocity_count, In{"Nm", "N"}, stored_at<&mjData::qfrc_applied, &mjModel::jnt_dofadr>,
+    QUANTITY(MIMO_JOINT_FORCE, velocity_count, In{"Nm", "N"}, kStoredAt<&mjData::qfrc_applied, &mjModel::jnt_dofadr>,
              Written{kState, write_axes<&mjData::qfrc_applied>}),
     QUANTITY(MIMO_JOINT_ACCELERATION, velocity_count, In{"rad/s^2", "m/s^2"}, kStep,
-             stored_at<&mjData::qacc, &mjModel::jnt_dofadr>),
+             kStoredAt<&mjData::qacc, &mjModel::jnt_dofadr>),
     QUANTITY(MIMO_JOINT_RANGE, 2, In{"rad", "m"}, Computed{read_range}),
-    QUANTITY(MIMO_JOINT_DAMPING, 1, In{"Nms/rad", "Ns/m"}, stored_at<&mjModel::dof_damping, &mjModel::jnt_dofadr>,
-             Written{kKept, [](World& world, int id, double* to) { world.physics().damp(id, *to); },
+    QUANTITY(MIMO_JOINT_DAMPING, 1, In{"Nms/rad", "Ns/m"}, kStoredAt<&mjModel::dof_damping, &mjModel::jnt_dofadr>,
+             Written{kKept, [](World& world, int id, const double* to) { world.physics().damp(id, *to); },
                      [](const World& /*world*/, int id, const double* values) {
                        check_not_negative("damping of joint", id, values, 1);
                      }}),
     QUANTITY(MIMO_JOINT_LOCK, 2, Computed{read_lock}, Written{kKept, set_lock, check_lock}),
 
-    QUANTITY(MIMO_GEOM_POSITION, In{"m"}, Spatial::kPosition, kPose, stored<&mjData::geom_xpos, 3>),
-    QUANTITY(MIMO_GEOM_ORIENTATION, Spatial::kOrientation, kPose, orientation<&mjData::geom_xmat>),
-    QUANTITY(MIMO_GEOM_SIZE, In{"m"}, stored<&mjModel::geom_size, 3>,
-             Written{kKept, [](World& world, int id, double* to) { world.physics().resize(id, to); }, check_size}),
-    QUANTITY(MIMO_GEOM_POSE, Spatial::kPose, kPose, pose<&mjData::geom_xpos, &mjData::geom_xmat>),
-    QUANTITY(MIMO_GEOM_FRICTION, stored<&mjModel::geom_friction, 3>,
+    QUANTITY(MIMO_GEOM_POSITION, In{"m"}, Spatial::kPosition, kPose, kStored<&mjData::geom_xpos, 3>),
+    QUANTITY(MIMO_GEOM_ORIENTATION, Spatial::kOrientation, kPose, kOrientationOf<&mjData::geom_xmat>),
+    QUANTITY(
+        MIMO_GEOM_SIZE, In{"m"}, kStored<&mjModel::geom_size, 3>,
+        Written{kKept, [](World& world, int id, const double* to) { world.physics().resize(id, to); }, check_size}),
+    QUANTITY(MIMO_GEOM_POSE, Spatial::kPose, kPose, kPoseOf<&mjData::geom_xpos, &mjData::geom_xmat>),
+    QUANTITY(MIMO_GEOM_FRICTION, kStored<&mjModel::geom_friction, 3>,
              Written{kKept, write_own<&engine::Physics::friction, 3>,
                      [](const World& /*world*/, int id, const double* values) {
                        check_not_negative("friction of geom", id, values, 3);
                      }}),
-    QUANTITY(MIMO_GEOM_COLOR, floats<&mjModel::geom_rgba, 4>,
+    QUANTITY(MIMO_GEOM_COLOR, kFloats<&mjModel::geom_rgba, 4>,
              Written{kKept, write_own<&engine::Physics::color, 4>,
                      [](const World& /*world*/, int id, const double* values) {
                        check_between("color of geom", id, values, 4, 0, 1);
                      }}),
 
-    QUANTITY(MIMO_SITE_POSITION, In{"m"}, Spatial::kPosition, kPose, stored<&mjData::site_xpos, 3>),
-    QUANTITY(MIMO_SITE_ORIENTATION, Spatial::kOrientation, kPose, orientation<&mjData::site_xmat>),
-    QUANTITY(MIMO_SITE_POSE, Spatial::kPose, kPose, pose<&mjData::site_xpos, &mjData::site_xmat>),
+    QUANTITY(MIMO_SITE_POSITION, In{"m"}, Spatial::kPosition, kPose, kStored<&mjData::site_xpos, 3>),
+    QUANTITY(MIMO_SITE_ORIENTATION, Spatial::kOrientation, kPose, kOrientationOf<&mjData::site_xmat>),
+    QUANTITY(MIMO_SITE_POSE, Spatial::kPose, kPose, kPoseOf<&mjData::site_xpos, &mjData::site_xmat>),
     QUANTITY(MIMO_SITE_VELOCITY, 6, Spatial::kVelocity, kPose, Computed{[](const Element& one, double* to) {
                copy(engine::site_velocity(one.model, one.data, one.id), to);
              }}),
 
-    QUANTITY(MIMO_CAMERA_POSITION, In{"m"}, Spatial::kPosition, kPose, stored<&mjData::cam_xpos, 3>),
-    QUANTITY(MIMO_CAMERA_ORIENTATION, Spatial::kOrientation, kPose, orientation<&mjData::cam_xmat>),
-    QUANTITY(MIMO_CAMERA_POSE, Spatial::kPose, kPose, pose<&mjData::cam_xpos, &mjData::cam_xmat>),
+    QUANTITY(MIMO_CAMERA_POSITION, In{"m"}, Spatial::kPosition, kPose, kStored<&mjData::cam_xpos, 3>),
+    QUANTITY(MIMO_CAMERA_ORIENTATION, Spatial::kOrientation, kPose, kOrientationOf<&mjData::cam_xmat>),
+    QUANTITY(MIMO_CAMERA_POSE, Spatial::kPose, kPose, kPoseOf<&mjData::cam_xpos, &mjData::cam_xmat>),
 
-    QUANTITY(MIMO_ACTUATOR_CONTROL, stored<&mjData::ctrl, 1>, Written{kState, write_stored<&mjData::ctrl, 1>}),
-    QUANTITY(MIMO_ACTUATOR_FORCE, kStep, stored<&mjData::actuator_force, 1>),
-    QUANTITY(MIMO_ACTUATOR_GEAR, 1, stored<&mjModel::actuator_gear, 6>,
-             Written{kKept, [](World& world, int id, double* to) { world.physics().gear(id) = *to; }}),
+    QUANTITY(MIMO_ACTUATOR_CONTROL, kStored<&mjData::ctrl, 1>, Written{kState, write_stored<&mjData::ctrl, 1>}),
+    QUANTITY(MIMO_ACTUATOR_FORCE, kStep, kStored<&mjData::actuator_force, 1>),
+    QUANTITY(MIMO_ACTUATOR_GEAR, 1, kStored<&mjModel::actuator_gear, 6>,
+             Written{kKept, [](World& world, int id, const double* to) { world.physics().gear(id) = *to; }}),
     QUANTITY(MIMO_ACTUATOR_FUSIMOTOR_DRIVE, drive_count, In{"Hz"}, Computed{read_drive},
              Written{kState, set_drive, check_drive}),
 
-    QUANTITY(MIMO_SENSOR_VALUE, sensor_dimension, kStep, stored_at<&mjData::sensordata, &mjModel::sensor_adr>),
+    QUANTITY(MIMO_SENSOR_VALUE, sensor_dimension, kStep, kStoredAt<&mjData::sensordata, &mjModel::sensor_adr>),
 
-    QUANTITY(MIMO_LIGHT_POSITION, In{"m"}, stored<&mjModel::light_pos, 3>,
+    QUANTITY(MIMO_LIGHT_POSITION, In{"m"}, kStored<&mjModel::light_pos, 3>,
              Written{kKept, write_own<&engine::Physics::light_position, 3>, check_light_position}, Moves{}),
-    QUANTITY(MIMO_LIGHT_DIRECTION, stored<&mjModel::light_dir, 3>, Written{kKept, turn_light, check_light_direction},
+    QUANTITY(MIMO_LIGHT_DIRECTION, kStored<&mjModel::light_dir, 3>, Written{kKept, turn_light, check_light_direction},
              Moves{}),
-    QUANTITY(MIMO_LIGHT_COLOR, floats<&mjModel::light_diffuse, 3>,
+    QUANTITY(MIMO_LIGHT_COLOR, kFloats<&mjModel::light_diffuse, 3>,
              Written{kKept, write_own<&engine::Physics::light_color, 3>,
                      [](const World& /*world*/, int id, const double* values) {
                        check_between("color of light", id, values, 3, 0, 100);
@@ -370,22 +380,22 @@ constexpr Quantity kTable[] = {
     QUANTITY(MIMO_CONTACT_DISTANCE, 1, kStep, Computed{[](const Element& one, double* to) {
                *to = -engine::overlap_of(one.model, one.data, met(one));
              }}),
-    QUANTITY(MIMO_CONTACT_FORCE, kStep, contact_force<0>),
-    QUANTITY(MIMO_CONTACT_TORQUE, kStep, contact_force<3>),
+    QUANTITY(MIMO_CONTACT_FORCE, kStep, kContactForce<0>),
+    QUANTITY(MIMO_CONTACT_TORQUE, kStep, kContactForce<3>),
 
-    QUANTITY(MIMO_STEP_CONTACT_GEOMS, 2, kStep, of_step_contact<&env::StepContact::geoms>),
-    QUANTITY(MIMO_STEP_CONTACT_BODIES, 2, kStep, of_step_contact<&env::StepContact::bodies>),
-    QUANTITY(MIMO_STEP_CONTACT_START, 1, kStep, of_step_contact<&env::StepContact::start>),
-    QUANTITY(MIMO_STEP_CONTACT_END, 1, kStep, of_step_contact<&env::StepContact::end>),
-    QUANTITY(MIMO_STEP_CONTACT_IMPULSE, 3, kStep, of_step_contact<&env::StepContact::impulse>),
-    QUANTITY(MIMO_STEP_CONTACT_PEAK_FORCE, 3, kStep, of_step_contact<&env::StepContact::peak_force>),
-    QUANTITY(MIMO_STEP_CONTACT_PEAK_POSITION, 3, kStep, of_step_contact<&env::StepContact::peak_position>),
+    QUANTITY(MIMO_STEP_CONTACT_GEOMS, 2, kStep, kOfStepContact<&env::StepContact::geoms>),
+    QUANTITY(MIMO_STEP_CONTACT_BODIES, 2, kStep, kOfStepContact<&env::StepContact::bodies>),
+    QUANTITY(MIMO_STEP_CONTACT_START, 1, kStep, kOfStepContact<&env::StepContact::start>),
+    QUANTITY(MIMO_STEP_CONTACT_END, 1, kStep, kOfStepContact<&env::StepContact::end>),
+    QUANTITY(MIMO_STEP_CONTACT_IMPULSE, 3, kStep, kOfStepContact<&env::StepContact::impulse>),
+    QUANTITY(MIMO_STEP_CONTACT_PEAK_FORCE, 3, kStep, kOfStepContact<&env::StepContact::peak_force>),
+    QUANTITY(MIMO_STEP_CONTACT_PEAK_POSITION, 3, kStep, kOfStepContact<&env::StepContact::peak_position>),
 
     QUANTITY(MIMO_AGENT_FACE, 1,
              Computed{[](const Element& one, double* to) { *to = one.world->face(static_cast<std::size_t>(one.id)); }},
              Written{kKept,
                      [](World& world, int id,
-                        double* to) { world.show_face(static_cast<std::size_t>(id), static_cast<int>(*to)); },
+                        const double* to) { world.show_face(static_cast<std::size_t>(id), static_cast<int>(*to)); },
                      check_face}),
     QUANTITY(MIMO_AGENT_GOAL, goal_count, kStep,
              Computed{[](const Element& one, double* to) { agent_of(one).task->goal(one.data, to); }}),
@@ -398,13 +408,13 @@ constexpr Quantity kTable[] = {
 
     QUANTITY(MIMO_WORLD_GRAVITY, 3, In{"m/s^2"},
              Stored{[](const Element& one) -> const double* { return one.model.opt.gravity; }},
-             Written{kKept,
-                     [](World& world, int /*id*/, double* to) { world.physics().set_gravity({to[0], to[1], to[2]}); }}),
+             Written{kKept, [](World& world, int /*id*/,
+                               const double* to) { world.physics().set_gravity({to[0], to[1], to[2]}); }}),
 
     QUANTITY(MIMO_WARNING_STEPS, 1, Computed{[](const Element& one, double* to) {
                *to = static_cast<double>(one.world->physics().warnings()[static_cast<std::size_t>(one.id)]);
              }},
-             Written{kState, [](World& world, int id, double* /*zero*/) { world.physics().forget_warnings(id); },
+             Written{kState, [](World& world, int id, const double* /*zero*/) { world.physics().forget_warnings(id); },
                      [](const World& /*world*/, int id, const double* values) {
                        check_between("steps of warning", id, values, 1, 0, 0);
                      }}),

@@ -51,10 +51,9 @@ enum class Writing {
 };
 
 struct Quantity {
-  mimo_quantity number;  // of its kind, times 256, and a place in it
   const char* constant;  // "MIMO_JOINT_POSITION"
-
-  int width = 0;  // of each element; 0: it depends on the element
+  mimo_quantity number;  // of its kind, times 256, and a place in it
+  int width = 0;         // of each element; 0: it depends on the element
   // Then; the world is null where there is only a model, which has no agents.
   int (*width_of)(const mjModel& model, const env::World* world, int id) = nullptr;
 
@@ -71,8 +70,8 @@ struct Quantity {
   bool moves = false;  // poses follow from it
   // Throws for values that cannot be written; null: all can.
   void (*check)(const env::World& world, int id, const double* values) = nullptr;
-  // May change the values that it is given, which are checked.
-  void (*write)(env::World& world, int id, double* values) = nullptr;
+  // Values are checked; quaternions and directions are of any length but 0.
+  void (*write)(env::World& world, int id, const double* values) = nullptr;
   // In place of `write`, where all at once costs less.
   void (*write_all)(env::World& world, const Ids& ids, Span<const double> values) = nullptr;
 

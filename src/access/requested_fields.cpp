@@ -46,7 +46,7 @@ std::vector<std::size_t> shape_of(const Quantity& what, const std::vector<int>& 
 
 void check(const FieldOptions& wanted) {
   const Quantity& what = *wanted.quantity;
-  require(what.kind().alike, "quantity is {}, of which worlds have different numbers: it cannot be a field",
+  require(what.kind().alike(), "quantity is {}, of which worlds have different numbers: it cannot be a field",
           what.constant);
   if (wanted.now) require_known_now(what);
   const bool of_world = what.kind().number == MIMO_WORLD;

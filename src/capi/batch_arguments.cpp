@@ -58,7 +58,7 @@ const float* actions_of(const batch::Batch& batch, const float* actions, std::si
 
 access::Ids ids_of(const batch::Batch& batch, const access::Quantity& quantity, const std::int32_t* ids,
                    std::size_t count) {
-  require(quantity.kind().alike, "quantity is {}, of which worlds have different numbers; ask each world",
+  require(quantity.kind().alike(), "quantity is {}, of which worlds have different numbers; ask each world",
           quantity.constant);
   return ids_of(batch.world(0), quantity, ids, count);
 }

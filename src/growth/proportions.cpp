@@ -64,9 +64,9 @@ double sole_height(const Skeleton& base) {
 // Sitting height over length, mean of the sexes, of the Dutch Growth Study 1997 (Fredriks et al. 2000-2005). From a
 // single copy.
 double sitting_share(double age) {
-  constexpr Curve share({0, 3, 6, 9, 12, 15, 18, 21, 24},
-                        {0.6923, 0.6825, 0.6714, 0.6599, 0.6482, 0.6364, 0.6248, 0.6133, 0.6024});
-  return share(age);
+  constexpr Curve kShare({0, 3, 6, 9, 12, 15, 18, 21, 24},
+                         {0.6923, 0.6825, 0.6714, 0.6599, 0.6482, 0.6364, 0.6248, 0.6133, 0.6024});
+  return kShare(age);
 }
 
 Lengths lengths(const Skeleton& base, const Drivers& drivers, double age, double stretch) {

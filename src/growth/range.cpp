@@ -21,10 +21,10 @@ struct Mark {
 // A limit that is another one in young infants, and the base's from an age on. Straight lines between the marks.
 struct Limit {
   std::string_view joint;
-  Side side;
   std::array<Mark, 4> marks;  // the first so many
   std::size_t count;
-  double grown_out;       // months
+  double grown_out;  // months
+  Side side;
   bool from_base;         // angles are to be added to the base's limit
   bool moves_the_spring;  // as far as the limit
 };
@@ -34,11 +34,11 @@ struct Limit {
 // estimated. Ankles of newborns: Waugh et al. 1983 (that the foot bends further up and less down is verified; how far,
 // estimated).
 constexpr Limit kLimits[] = {
-    {"knee", kUpper, {{{0, -21.4}, {3, -10.7}, {6, -3.3}}}, 3, 12, false, true},
-    {"hip1", kUpper, {{{0, -30}, {1.4, -19}, {3, -7}, {9, 0}}}, 4, 12, false, true},
-    {"elbow", kUpper, {{{0, -19}, {3, -7}}}, 2, 9, false, true},
-    {"foot1", kUpper, {{{0, 30}}}, 1, 12, true, false},
-    {"foot1", kLower, {{{0, -25}}}, 1, 12, false, false},
+    {"knee", {{{0, -21.4}, {3, -10.7}, {6, -3.3}}}, 3, 12, kUpper, false, true},
+    {"hip1", {{{0, -30}, {1.4, -19}, {3, -7}, {9, 0}}}, 4, 12, kUpper, false, true},
+    {"elbow", {{{0, -19}, {3, -7}}}, 2, 9, kUpper, false, true},
+    {"foot1", {{{0, 30}}}, 1, 12, kUpper, true, false},
+    {"foot1", {{{0, -25}}}, 1, 12, kLower, false, false},
 };
 
 double between(const Mark& a, const Mark& b, double age) {

@@ -67,8 +67,8 @@ class Strength {
 
 // From head lag, which is there before 3 months and gone at 4, and from the head held in line at 2.
 double neck_ratio(double age) {
-  constexpr Curve ratio({0, 1, 2, 3, 4, 6, 9, 12, 18, 24}, {0.5, 0.75, 1.0, 1.3, 1.5, 2.0, 2.5, 2.8, 3.04, 3.1});
-  return ratio(age);
+  constexpr Curve kRatio({0, 1, 2, 3, 4, 6, 9, 12, 18, 24}, {0.5, 0.75, 1.0, 1.3, 1.5, 2.0, 2.5, 2.8, 3.04, 3.1});
+  return kRatio(age);
 }
 
 void strengthen(Skeleton& body, const Skeleton& base, const Growth& growth) {

@@ -120,9 +120,9 @@ void EyeFilter::glance(std::uint8_t* rgb) {
 
 // Blurring and fading may come in any order; pictures without colour are a third of the work.
 void EyeFilter::read(const std::uint8_t* rgb, Light* row) const {
-  if (planes_ == 1) return light_tables.decode_grey(rgb, width_, row);
+  if (planes_ == 1) return kLightTables.decode_grey(rgb, width_, row);
   Light *green = row + smoother_.apart(), *blue = green + smoother_.apart();
-  light_tables.decode(rgb, width_, row, green, blue);
+  kLightTables.decode(rgb, width_, row, green, blue);
   if (eyes_.chroma < 1) fade(row, green, blue, width_, 1 - eyes_.chroma);
 }
 
@@ -146,8 +146,8 @@ void EyeFilter::clear_unseen() {
 void EyeFilter::write(std::size_t y, const Light* row, std::uint8_t* rgb) {
   const Light* seen = remembers() ? remember(y, row) : row;
   std::uint8_t* out = rgb + y * width_ * 3;
-  if (planes_ == 1) return light_tables.encode_grey(seen, width_, out);
-  light_tables.encode(seen, seen + width_, seen + 2 * width_, width_, out);
+  if (planes_ == 1) return kLightTables.encode_grey(seen, width_, out);
+  kLightTables.encode(seen, seen + width_, seen + 2 * width_, width_, out);
 }
 
 const Light* EyeFilter::remember(std::size_t y, const Light* row) {

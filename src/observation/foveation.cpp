@@ -80,7 +80,7 @@ void Foveation::filter(std::uint8_t* rgb) {
   Light *red = row_.data(), *green = red + width_, *blue = green + width_;
   for (std::size_t y = 0; y < height_; ++y) {
     for (std::size_t x = 0; x < width_; ++x) sample(sources_[y * width_ + x], red + x);
-    light_tables.encode(red, green, blue, width_, rgb + y * width_ * kColours);
+    kLightTables.encode(red, green, blue, width_, rgb + y * width_ * kColours);
   }
 }
 
@@ -88,7 +88,7 @@ void Foveation::read(const std::uint8_t* rgb) {
   const std::size_t count = height_ * width_;
   for (std::size_t y = 0; y < height_; ++y) {
     Light* red = levels_[0].light.data() + y * width_;
-    light_tables.decode(rgb + y * width_ * kColours, width_, red, red + count, red + 2 * count);
+    kLightTables.decode(rgb + y * width_ * kColours, width_, red, red + count, red + 2 * count);
   }
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     const Level& from = levels_[i - 1];

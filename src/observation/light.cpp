@@ -78,7 +78,7 @@ void LightTables::encode_grey(const Light* grey, std::size_t width, std::uint8_t
   for (; x < width; ++x) std::fill_n(rgb + 3 * x, 3, level(grey[x]));
 }
 
-const LightTables light_tables;
+const LightTables kLightTables;
 
 // In two halves, since 16 bits with a sign hold weights below a half; one rounds down, the other up.
 void fade(Light* red, Light* green, Light* blue, std::size_t width, double grey) {

@@ -33,7 +33,7 @@ class LightTables {
   std::array<std::uint8_t, 65536 / 4> level_;
 };
 
-extern const LightTables light_tables;  // made when the library is loaded: 511 powers
+extern const LightTables kLightTables;  // made when the library is loaded: 511 powers
 
 // Takes colours towards their luminance, which stays; `grey` is the share of colour that is lost, below 1.
 void fade(Light* red, Light* green, Light* blue, std::size_t width, double grey);

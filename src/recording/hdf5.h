@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -102,7 +103,7 @@ struct LinkInfo {
   ROW(HasLink, "H5Lexists", int, (Id, const char*, Id))
 
 struct Library {
-#define MIMO_DECLARED(name, symbol, returned, taken) returned(*name) taken;
+#define MIMO_DECLARED(name, symbol, returned, taken) std::add_pointer_t<returned taken> name;
   MIMO_HDF5_FIRST(MIMO_DECLARED)
   MIMO_HDF5_FUNCTIONS(MIMO_DECLARED)
 #undef MIMO_DECLARED
