@@ -149,6 +149,11 @@ def test_a_fork_with_its_own_environments_scenes_and_functions(folder):
     assert run(folder, "fork/nap.py") == ["mimoEnv.babybench.nap steps 5 touches True"]
 
 
+def test_everything_of_modules_and_members_through_wrappers(folder):
+    # 5 ms a step, as self-body has in the original.
+    assert run(folder, "everything.py") == ["True ['sensors'] True", "600 (48, 64, 3) 0.005 True"]
+
+
 def test_a_notebook(folder):
     told = python(folder, "scripts/notebook.py")
     assert told.returncode == 0, told.stderr

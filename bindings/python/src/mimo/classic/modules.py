@@ -11,7 +11,7 @@ from types import ModuleType
 from typing import Any, Dict, List, Optional
 
 from .live import PAGE
-from .names import ENGINE, KIT_ENVIRONMENTS, MODULES, OLD_GYM, VERSIONS, VIEWER, file_of, folders, is_ours, ours
+from .names import ENGINE, KIT_ENVIRONMENTS, MODULES, OLD_GYM, VERSIONS, VIEWER, file_of, folders, is_ours, ours, public
 from .scenes import scene_directory, sitting_position
 
 
@@ -21,6 +21,8 @@ class Alias(ModuleType):
     def __getattr__(self, name: str) -> Any:
         if name == "__version__" and self.__name__ in VERSIONS:
             return VERSIONS[self.__name__]
+        if name == "__all__":
+            return self._public()
         if name.startswith("__"):
             raise AttributeError(name)
         if name == "SCENE_DIRECTORY":
@@ -33,6 +35,12 @@ class Alias(ModuleType):
             found = self._from_file(name)
         self.__dict__[name] = found
         return found
+
+    def _public(self) -> List[str]:
+        """The names that `import *` takes: ours, and those of a file of this name."""
+        file = self.__dict__.get("_own_names") or (self.read_file() if self.__dict__.get("_own_file") else {})
+        own = [name for name in file if not name.startswith("_")]
+        return list(dict.fromkeys([*public(self.__name__), *own]))
 
     def _from_file(self, name: str) -> Any:
         own: Optional[Dict[str, Any]] = self.__dict__.get("_own_names")

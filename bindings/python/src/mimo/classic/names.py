@@ -100,6 +100,15 @@ def file_of(name: str, path: Iterable[str]) -> str:
     return next((os.path.abspath(file) for file in files if os.path.isfile(file)), "")
 
 
+def public(name: str) -> List[str]:
+    """The names that `from this_module import *` takes."""
+    import importlib
+
+    modules = [importlib.import_module(module) for module in MODULES[name]]
+    listed = [getattr(module, "__all__", [it for it in vars(module) if not it.startswith("_")]) for module in modules]
+    return list(dict.fromkeys(it for names in listed for it in names))
+
+
 def ours(name: str, member: str) -> Any:
     """A member of one of these modules; AttributeError if it has none."""
     import importlib
