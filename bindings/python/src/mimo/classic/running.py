@@ -14,7 +14,7 @@ from .checking import Findings, examine
 from .children import children_too
 from .live import PAGE
 from .modules import install
-from .names import ROOTS, is_ours
+from .names import ROOTS, folders, is_ours
 
 LEVELS = 4  # folders above a script that may be such a checkout
 
@@ -73,7 +73,9 @@ def line_of(script: str, found: Findings) -> str:
     """What runs on what, and what is not there, in one line."""
     import gymnasium
 
-    on = f"{', '.join(found.modules) or 'no module of the original'} on libmimo {version()}"
+    places = [place for root in found.modules if root in ROOTS for place in folders(root)]
+    instead = f" (in place of {', '.join(places)}, but for what only these have)" if places else ""
+    on = f"{', '.join(found.modules) or 'no module of the original'}{instead} on libmimo {version()}"
     missing = "; ".join(f"line {line}: {name}" for line, name in found.missing)
     lacks = f"not there: {missing}" if missing else "nothing is missing that can be seen without running it"
     return f"mimo.classic: {os.path.basename(script)}: {on}, Gymnasium {gymnasium.__version__}; {lacks}"
