@@ -5,7 +5,7 @@ from pathlib import Path
 
 from conan import ConanFile
 from conan.errors import ConanInvalidConfiguration
-from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
+from conan.tools.cmake import CMake, CMakeToolchain
 from conan.tools.files import load
 from conan.tools.system.package_manager import Apt
 
@@ -39,11 +39,13 @@ class Libmimo(ConanFile):
         Apt(self).install(list(packages))
 
     def layout(self):
-        cmake_layout(self)
+        self.folders.build = "build"
+        self.folders.generators = "build/generators"
 
     def generate(self):
-        toolchain = CMakeToolchain(self)
+        toolchain = CMakeToolchain(self, generator="Ninja")
         toolchain.cache_variables.update(MIMO_TESTS=False, MIMO_PROGRAM=True)
+        toolchain.blocks.remove("arch_flags")  # Debian's packages are those of this processor
         toolchain.generate()
 
     def build(self):

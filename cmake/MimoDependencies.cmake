@@ -20,7 +20,7 @@ macro(mimo_find title debian package)
   endif()
 endmacro()
 
-mimo_find("MuJoCo 2.2 or 4.0" libmujoco-dev mujoco 2.2...<4.1)
+mimo_find("MuJoCo 2.2 or 4.0" libmujoco-dev mujoco 2.2...<4.1 MODULE)  # ours, also where a host prefers packages
 if(mujoco_FOUND AND mujoco_VERSION VERSION_GREATER_EQUAL 2.3 AND mujoco_VERSION VERSION_LESS 4.0)
   message(FATAL_ERROR "libmimo needs MuJoCo 2.2 or 4.0, not ${mujoco_VERSION}; set mujoco_ROOT to the folder of another")
 endif()

@@ -150,8 +150,9 @@ class Dev(unittest.TestCase):
                         "docs", "freeze", "clean"):  # fmt: skip
             self.assertRegex(said, rf"\n +{command} +\w")
             self.assertEqual(self.dev(command, "--help").returncode, 0)
+        said = self.dev("test", "--help").stdout
         for part in PARTS:
-            self.assertRegex(self.dev("test", "--help").stdout, rf"\n +{part} +\w")
+            self.assertRegex(said, rf"\n +{part} +\w")
 
     def refused(self, sentence, *arguments):
         """A command fails with one line, and says all of this sentence."""
