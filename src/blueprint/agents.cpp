@@ -1,6 +1,7 @@
 #include "blueprint/agents.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/fail.h"
 #include "base/format.h"
@@ -93,8 +94,12 @@ void Agents::limit_sense(std::size_t agent, const std::string& path, const obser
 }
 
 void Agents::forgive_limits() {
+  constexpr std::string_view kSenses[] = {"proprioception", "vestibular", "vision", "touch", "hearing"};
   for (env::AgentOptions& agent : agents_) {
-    for (observation::PathLimits& limits : agent.limits) limits.may_lead_nowhere = true;
+    for (observation::PathLimits& limits : agent.limits) {
+      const std::string_view sense = std::string_view(limits.path).substr(0, limits.path.find('/'));
+      limits.may_lead_nowhere = std::find(std::begin(kSenses), std::end(kSenses), sense) != std::end(kSenses);
+    }
   }
 }
 

@@ -155,6 +155,8 @@ class RecordedScene {
   const char* renderer() const { return renderer_.c_str(); }
   const char* task() const { return task_.c_str(); }
   bool has_own_task() const { return has_own_task_; }
+  // Whether it was made of another recording, with other senses.
+  bool forgives_limits() const { return forgives_limits_; }
 
  private:
   using Make = void (RecordedScene::*)(Arguments&);
@@ -192,6 +194,7 @@ class RecordedScene {
     const mimo_limits ours = limits(given);
     check(mimo_scene_limit_sense(scene_, given.number<std::size_t>("agent"), given.text("path"), &ours));
   }
+  void forgive_limits(Arguments& /*given*/) { forgives_limits_ = true; }
   void limit_motor(Arguments& given) {
     const mimo_limits ours = limits(given);
     check(mimo_scene_limit_motor(scene_, given.number<std::size_t>("agent"), given.text("path"), &ours));
@@ -290,7 +293,7 @@ class RecordedScene {
   std::optional<mimo_agent_config> senses_;
   mimo_env_config config_{};
   std::string renderer_ = "auto", task_;
-  bool has_own_task_ = false;
+  bool has_own_task_ = false, forgives_limits_ = false;
 };
 
 const std::pair<const char*, RecordedScene::Make> RecordedScene::kCalls[] = {
@@ -300,6 +303,7 @@ const std::pair<const char*, RecordedScene::Make> RecordedScene::kCalls[] = {
     {"add_field", &RecordedScene::add_field},
     {"direct_source", &RecordedScene::direct_source},
     {"env_create", &RecordedScene::env_create},
+    {"forgive_limits", &RecordedScene::forgive_limits},
     {"limit_motor", &RecordedScene::limit_motor},
     {"limit_sense", &RecordedScene::limit_sense},
     {"read_joint", &RecordedScene::read_joint},
@@ -366,7 +370,9 @@ std::unique_ptr<EnvObject> make(const std::shared_ptr<recording::Recording>& rec
   const recording::Growths ages = recording->growths();
   scene.blueprint().edit([&](blueprint::SceneEdit& edit) {
     if (!ages.empty()) edit.agents.be_as_old_as(ages);
-    edit.agents.forgive_limits();  // of fields that the caller of a replay leaves out
+    if (!wanted && !scene.forgives_limits()) return;
+    edit.agents.forgive_limits();  // of fields that the caller leaves out
+    note(edit, {{"call", "forgive_limits"}});
   });
   // Only for other ages the file stays open.
   const auto file = recording->bodies() > 1 ? recording : nullptr;

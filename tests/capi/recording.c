@@ -285,6 +285,17 @@ static void a_file_alone_is_replayed(void) {
   CHECK_OK(mimo_recording_step(recording, numb, NULL, 0, NULL));
   CHECK_OK(mimo_recording_report(recording, &report));
   CHECK(report.identical == 1 && report.steps == 1);
+  snprintf(other, sizeof other, "%s.2", path);
+  CHECK(rename(path, other) == 0);
+  recorder = record(numb, "all"); /* which is a recording like any other */
+  go(numb, 2);
+  CHECK_OK(mimo_recorder_close(recorder));
+  mimo_recording* of_numb = open_it();
+  mimo_env* numb_too = env_of(of_numb);
+  mimo_recording_close(of_numb);
+  check_identical(numb_too, 2);
+  mimo_env_destroy(numb_too);
+  CHECK(rename(other, path) == 0);
   mimo_env_destroy(numb);
   uint8_t truncated[25];
   CHECK_OK(mimo_recording_read(recording, "truncated", 0, 25, truncated, sizeof truncated));
