@@ -15,7 +15,7 @@ from . import bill, pack, systems
 from .build import PROGRAM, build
 from .csharp import MADE, build_csharp, dotnet
 from .need import need
-from .pins import environment
+from .pins import environment, tool
 from .python import WHEELS, date_packages
 from .rust import CRATES
 from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, must, run, run_quietly, sources, version
@@ -172,7 +172,7 @@ def test_package():
     make_packages()
     print("Tests of the packages")
     run("tests/package/check_deb", *sorted(PACKAGE.glob("*.deb")))
-    run("tests/package/check_source", *PACKAGE.glob("*.tar.gz"))
+    run("tests/package/check_source", *PACKAGE.glob("*.tar.gz"), tool("pip"))
     check_made_twice()
 
 
