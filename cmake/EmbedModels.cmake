@@ -1,6 +1,6 @@
 # mimo_embed_models(<variable> <folder>): puts every .xml and .png below the folder (except art/) into the library.
 #
-# Sets the variable to the sources that a target needs for it; they define what src/document/resources.h declares.
+# Sets the variable to the sources that a target needs for it; they define what src/document/library.h declares.
 # The files are taken in by the assembler (.incbin), which is quick and takes no memory however large they are;
 # where that does not work they become C arrays. MIMO_EMBED_ARRAYS=ON asks for the arrays.
 include(CheckSourceCompiles)

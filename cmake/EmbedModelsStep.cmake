@@ -30,7 +30,7 @@ if(count EQUAL 0)
 endif()
 
 file(WRITE ${OUT}/resources.cpp
-     "// Made by cmake/EmbedModelsStep.cmake.\n#include \"document/resources.h\"\n\n${declarations}\n"
+     "// Made by cmake/EmbedModelsStep.cmake.\n#include \"document/library.h\"\n\n${declarations}\n"
      "namespace mimo::document {\n\nconst Resource kResources[] = {\n${table}};\n"
      "const std::size_t kResourceCount = ${count};\n\n}  // namespace mimo::document\n")
 if(METHOD STREQUAL "incbin")

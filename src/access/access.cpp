@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/fail.h"
-#include "base/finite.h"
 #include "engine/present.h"
 #include "env/world.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "access/quantities.h"
-#include "engine/joints.h"
+#include "engine/model.h"
 
 namespace mimo::access {
 

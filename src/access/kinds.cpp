@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/choice.h"
 #include "base/fail.h"
 #include "base/header.h"
 

@@ -8,11 +8,10 @@
 #include "access/columns.h"
 #include "base/fail.h"
 #include "base/header.h"
-#include "body/nerves.h"
+#include "body/body.h"
 #include "engine/contacts.h"
-#include "engine/ground.h"
-#include "engine/motion.h"
 #include "engine/overrides.h"
+#include "engine/present.h"
 #include "senses/fusimotor_drives.h"
 
 namespace mimo::access {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "base/delay.h"
+#include "base/bytes.h"
 #include "base/fail.h"
 #include "base/format.h"
-#include "base/hash.h"
-#include "base/noise.h"
+#include "base/numbers.h"
+#include "base/random.h"
 
 namespace mimo::actuation {
 namespace {

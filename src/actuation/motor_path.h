@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "actuation/actuation.h"
-#include "base/section.h"
+#include "base/bytes.h"
 #include "observation/limited_field.h"
 
 namespace mimo::actuation {

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-#include "base/status.h"
+#include "base/fail.h"
 
 namespace mimo {
 

@@ -1,4 +1,4 @@
-#include "base/floats.h"
+#include "base/processor.h"
 
 namespace mimo {
 

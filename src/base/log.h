@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "base/floats.h"
+#include "base/processor.h"
 #include "mimo/log.h"
 
 namespace mimo {

@@ -2,12 +2,36 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <system_error>
 #include <thread>
 
 #include "base/fail.h"
+#include "base/process.h"
 
 namespace mimo {
 namespace {
+
+constexpr std::size_t kLeastStack = 512 * 1024;
+
+// The default is the limit of the shell that the host was started from, which may be anything.
+class Attributes {
+ public:
+  Attributes() {
+    std::size_t stack = 0;
+    pthread_attr_init(&attributes_);
+    pthread_attr_getstacksize(&attributes_, &stack);
+    pthread_attr_setstacksize(&attributes_, std::max(stack, kLeastStack));
+  }
+  ~Attributes() { pthread_attr_destroy(&attributes_); }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+
+  const pthread_attr_t* get() const { return &attributes_; }
+
+ private:
+  pthread_attr_t attributes_;
+};
 
 // Waits a little without sleeping: to wake a thread takes as long as a tenth of a step of a world, and the next step
 // mostly follows at once. Other threads that want the processor get it.
@@ -19,6 +43,14 @@ void stay_awake(Ready&& ready) {
 }
 
 }  // namespace
+
+Thread::Thread(Run run, void* argument) {
+  const Attributes attributes;
+  const SignalsBlocked signals;  // a new thread inherits the mask of the one that starts it
+  const int error = pthread_create(&thread_, attributes.get(), run, argument);
+  if (error == 0) return;
+  fail(Status::kOutOfMemory, "the system gives no thread: {}", std::generic_category().message(error));
+}
 
 Pool::Pool(std::size_t threads) : threads_(threads) {
   workers_.reserve(threads);

@@ -4,6 +4,8 @@
 // library does it: docs/adr/0008-thread-pool.md.
 #pragma once
 
+#include <pthread.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -12,9 +14,25 @@
 #include <optional>
 #include <vector>
 
-#include "base/thread.h"
-
 namespace mimo {
+
+// A thread of ours in the host's process.
+
+// Signals that are sent to the process are the host's business: this thread takes none, from its first moment on. Its
+// stack is large enough for us, also where the host's threads have small ones.
+class Thread {
+ public:
+  using Run = void* (*)(void* argument);
+
+  // Throws Status::kOutOfMemory when the system has no thread to give.
+  Thread(Run run, void* argument);
+  ~Thread() { pthread_join(thread_, nullptr); }
+  Thread(const Thread&) = delete;
+  Thread& operator=(const Thread&) = delete;
+
+ private:
+  pthread_t thread_;
+};
 
 // What is to be done for every item. It must not throw. `thread` is a number below Pool::threads(); no two calls with
 // the same number run at the same time.

@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "access/access.h"
-#include "base/function_ref.h"
 #include "base/pool.h"
-#include "batch/current_thread.h"
-#include "batch/log_queue.h"
-#include "batch/options.h"
-#include "batch/report.h"
-#include "batch/shared_renderers.h"
+#include "base/span.h"
 #include "batch/step.h"
+#include "batch/threads.h"
 
 namespace mimo::batch {
 

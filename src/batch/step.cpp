@@ -3,8 +3,18 @@
 #include <algorithm>
 
 #include "base/fail.h"
+#include "base/format.h"
 
 namespace mimo::batch {
+
+void Report::note(Status what, const char* why) noexcept {
+  status = what;
+  try {
+    message = as_line(why);
+  } catch (...) {
+    message.clear();
+  }
+}
 
 void Step::operator()(std::size_t world, Report& report) const {
   const bool anew = due_for_reset(world);

@@ -1,7 +1,7 @@
-#include "bench/allocations.h"
-
 #include <atomic>
 #include <cstdlib>
+
+#include "bench/measurements.h"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
@@ -25,13 +25,13 @@ std::atomic<std::uint64_t> allocations{0};
 namespace cli {
 
 #if defined(MIMO_CLI_COUNTS_ALLOCATIONS)
-bool Allocations::countable() { return true; }
+bool AllocationCounter::countable() { return true; }
 #else
-bool Allocations::countable() { return false; }
+bool AllocationCounter::countable() { return false; }
 #endif
-void Allocations::start() { counting = true; }
-void Allocations::stop() { counting = false; }
-std::uint64_t Allocations::counted() { return allocations; }
+void AllocationCounter::start() { counting = true; }
+void AllocationCounter::stop() { counting = false; }
+std::uint64_t AllocationCounter::counted() { return allocations; }
 
 }  // namespace cli
 

@@ -5,20 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bench/allocations.h"
-#include "bench/figure3.h"
-#include "bench/physics.h"
-#include "bench/reference.h"
-#include "bench/threads.h"
-#include "bench/world.h"
-#include "programs/failure.h"
+#include "bench/measurements.h"
+#include "bench/timed_worlds.h"
 #include "programs/files.h"
 #include "programs/program.h"
-#include "programs/progress.h"
+#include "programs/summary.h"
 #include "programs/text.h"
-#include "programs/timing.h"
 #include "programs/world.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {
@@ -52,9 +45,9 @@ class Bench {
   static constexpr std::size_t kTurn = 50;
 
   const BenchOptions& options_;
-  FullWorld full_;
-  BareWorld raw_;
-  Reference reference_;
+  SensingWorld full_;
+  PhysicsWorld raw_;
+  ReferenceStep reference_;
   RandomActions actions_;
 };
 
@@ -83,7 +76,7 @@ Json split_of(const mimo::Env& env, double step_ms) {
 }
 
 // In microseconds; null where there was nothing to measure.
-Json microseconds(const Samples& samples, double (Samples::*average)() const) {
+Json microseconds(const StepTimes& samples, double (StepTimes::*average)() const) {
   return samples.seconds().empty() ? Json() : Json((samples.*average)() * 1e6);
 }
 
@@ -96,12 +89,12 @@ std::size_t pixels(const mimo::Env& env) {
 }
 
 Json Bench::result() const {
-  const Samples &full = full_.times(), &raw = raw_.times(), &reference = reference_.times();
+  const StepTimes &full = full_.times(), &raw = raw_.times(), &reference = reference_.times();
   const double steps = static_cast<double>(options_.steps);
   const double frame_skip = full_.env().frame_skip();
   const double simulated = steps * frame_skip * full_.env().timestep();
   const double step_ms = full.mean() * 1e3;
-  const double allocations = static_cast<double>(Allocations::counted()) / steps;
+  const double allocations = static_cast<double>(AllocationCounter::counted()) / steps;
   return {{"steps", options_.steps},
           {"wall_s", full.sum()},
           {"realtime_factor", simulated / full.sum()},
@@ -114,13 +107,13 @@ Json Bench::result() const {
           {"touch_sensors", touch_sensors(full_.env())},
           {"mean_contacts", static_cast<double>(full_.contacts()) / steps},
           {"raw_physics_us", raw.mean() * 1e6},
-          {"reference_us", microseconds(reference, &Samples::mean)},
+          {"reference_us", microseconds(reference, &StepTimes::mean)},
           {"step_vs_raw", full.mean() / (frame_skip * raw.mean())},
-          {"allocations_per_step", Allocations::countable() ? Json(allocations) : Json()},
+          {"allocations_per_step", AllocationCounter::countable() ? Json(allocations) : Json()},
           {"median",
            {{"ms_per_step", full.median() * 1e3},
             {"raw_physics_us", raw.median() * 1e6},
-            {"reference_us", microseconds(reference, &Samples::median)},
+            {"reference_us", microseconds(reference, &StepTimes::median)},
             {"step_vs_raw", full.median() / (frame_skip * raw.median())}}}};
 }
 
@@ -152,14 +145,14 @@ Json run_many(const BenchOptions& options) {
   single.steps = std::min<std::size_t>(options.steps, 500);
   Json result = run_one(single);
   result.erase("median");
-  const auto counted = Allocations::counted();
-  Scaling scaling(options.world, options.steps, options.worlds, options.threads);
+  const auto counted = AllocationCounter::counted();
+  ThreadScaling scaling(options.world, options.steps, options.worlds, options.threads);
   scaling.run();
   result["steps"] = options.steps;
   result.update(scaling.result());
   const double all = static_cast<double>(options.steps) * options.worlds;
-  if (Allocations::countable()) {
-    result["allocations_per_step"] = static_cast<double>(Allocations::counted() - counted) / all;
+  if (AllocationCounter::countable()) {
+    result["allocations_per_step"] = static_cast<double>(AllocationCounter::counted() - counted) / all;
   }
   return result;
 }

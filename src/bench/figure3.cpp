@@ -1,17 +1,14 @@
-#include "bench/figure3.h"
-
 #include <array>
 #include <cmath>
 #include <iostream>
 #include <sstream>
 
-#include "bench/reference.h"
-#include "bench/world.h"
+#include "bench/measurements.h"
+#include "bench/timed_worlds.h"
 #include "programs/files.h"
-#include "programs/progress.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 #include "programs/text.h"
-#include "programs/timing.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {
@@ -38,13 +35,13 @@ struct Row {
   double reference_steps() const { return reference_us > 0 ? step_ms * 1e3 / reference_us : std::nan(""); }
 };
 
-Row measure(const Cell& cell, const PaperOptions& options, Progress& progress, std::size_t done) {
+Row measure(const Cell& cell, const Figure3Options& options, Progress& progress, std::size_t done) {
   const std::size_t episodes = options.brief ? 1 : kEpisodes;
   WorldOptions world = options.world;
   world.vision = cell.vision;
   world.touch = cell.touch;
-  FullWorld full(world, episodes * kSteps);
-  Reference reference(0, episodes * kSteps / kTurn * kReferenceTurn);
+  SensingWorld full(world, episodes * kSteps);
+  ReferenceStep reference(0, episodes * kSteps / kTurn * kReferenceTurn);
   RandomActions actions(full.env(), 0);
   full.warm_up(draw(actions, 1));
   reference.warm_up();
@@ -102,7 +99,7 @@ void write_csv(const std::vector<Row>& rows, const std::string& path) {
 
 }  // namespace
 
-void run_paper(const PaperOptions& options) {
+void run_paper(const Figure3Options& options) {
   const std::size_t steps = (options.brief ? 1 : kEpisodes) * kSteps;
   std::vector<Row> rows;
   {

@@ -1,16 +1,16 @@
 // Where there is no Debian, there is no step of its MuJoCo to measure with.
-#include "bench/reference.h"
-#include "programs/failure.h"
+#include "bench/measurements.h"
+#include "programs/program.h"
 
 namespace cli {
 
-class Reference::Here {};
-class Reference::Child {};
+class ReferenceStep::InThisProcess {};
+class ReferenceStep::InChildProcess {};
 
-Reference::Reference(std::uint64_t, std::size_t room) : times_(room) {}
-Reference::~Reference() = default;
-void Reference::run(std::size_t) {}
-void Reference::warm_up() {}
+ReferenceStep::ReferenceStep(std::uint64_t, std::size_t room) : times_(room) {}
+ReferenceStep::~ReferenceStep() = default;
+void ReferenceStep::run(std::size_t) {}
+void ReferenceStep::warm_up() {}
 
 void serve_reference(std::uint64_t) { throw Failure("reference steps are measured on Linux only"); }
 

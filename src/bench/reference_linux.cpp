@@ -7,8 +7,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "bench/reference.h"
-#include "programs/failure.h"
+#include "bench/measurements.h"
+#include "programs/program.h"
 
 namespace cli {
 namespace {
@@ -68,9 +68,9 @@ WorldOptions reference_world(std::uint64_t seed) {
 
 }  // namespace
 
-class Reference::Here {
+class ReferenceStep::InThisProcess {
  public:
-  explicit Here(std::uint64_t seed)
+  explicit InThisProcess(std::uint64_t seed)
       : world_(reference_world(seed), MIMO_JACOBIAN_DENSE, 0), actions_(world_.env(), seed) {}
 
   std::vector<double> run(std::size_t steps) {
@@ -80,18 +80,18 @@ class Reference::Here {
   }
 
  private:
-  BareWorld world_;
+  PhysicsWorld world_;
   RandomActions actions_;
 };
 
 // This program again, with Debian's MuJoCo in place of the other: both have the same interface. It is told how many
 // steps to take and answers with the seconds of each.
-class Reference::Child {
+class ReferenceStep::InChildProcess {
  public:
-  explicit Child(std::uint64_t seed);
-  ~Child();
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
+  explicit InChildProcess(std::uint64_t seed);
+  ~InChildProcess();
+  InChildProcess(const InChildProcess&) = delete;
+  InChildProcess& operator=(const InChildProcess&) = delete;
 
   std::vector<double> run(std::size_t steps) {
     std::vector<double> seconds(steps);
@@ -106,7 +106,7 @@ class Reference::Child {
   pid_t process_ = -1;
 };
 
-Reference::Child::Child(std::uint64_t seed) {
+ReferenceStep::InChildProcess::InChildProcess(std::uint64_t seed) {
   std::string preload = "LD_PRELOAD=" MIMO_DEBIAN_MUJOCO, number = std::to_string(seed);
   std::vector<char*> environment = {preload.data()};
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -130,34 +130,34 @@ Reference::Child::Child(std::uint64_t seed) {
   throw Failure(std::string("no process for the reference: ") + std::strerror(result));
 }
 
-Reference::Child::~Child() {
+ReferenceStep::InChildProcess::~InChildProcess() {
   close(file_);
   waitpid(process_, nullptr, 0);
 }
 
-Reference::Reference(std::uint64_t seed, std::size_t room) : times_(room) {
+ReferenceStep::ReferenceStep(std::uint64_t seed, std::size_t room) : times_(room) {
   if (on_debians()) {
-    here_ = std::make_unique<Here>(seed);
+    here_ = std::make_unique<InThisProcess>(seed);
   } else if (debians_installed()) {
-    child_ = std::make_unique<Child>(seed);
+    child_ = std::make_unique<InChildProcess>(seed);
   }
 }
 
-Reference::~Reference() = default;
+ReferenceStep::~ReferenceStep() = default;
 
-void Reference::run(std::size_t steps) {
+void ReferenceStep::run(std::size_t steps) {
   if (here_ == nullptr && child_ == nullptr) return;
   for (const double seconds : here_ ? here_->run(steps) : child_->run(steps)) times_.add(seconds);
 }
 
-void Reference::warm_up() {
+void ReferenceStep::warm_up() {
   run(1);
-  times_ = Samples(0);
+  times_ = StepTimes(0);
 }
 
 void serve_reference(std::uint64_t seed) {
   if (!on_debians()) throw Failure("MuJoCo is " + loaded_mujoco() + ", not " MIMO_DEBIAN_MUJOCO);
-  Reference reference(seed, 0);
+  ReferenceStep reference(seed, 0);
   std::size_t steps = 0, done = 0;
   while (receive_all(STDIN_FILENO, &steps, sizeof steps)) {
     reference.run(steps);

@@ -1,12 +1,10 @@
-#include "bench/threads.h"
-
 #include <algorithm>
 #include <numeric>
 #include <thread>
 
-#include "bench/allocations.h"
-#include "programs/progress.h"
-#include "programs/timing.h"
+#include "bench/measurements.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 
 namespace cli {
 namespace {
@@ -75,7 +73,7 @@ nlohmann::ordered_json BatchWorld::split() {
   return split;
 }
 
-Scaling::Scaling(const WorldOptions& options, std::size_t steps, int worlds, int threads)
+ThreadScaling::ThreadScaling(const WorldOptions& options, std::size_t steps, int worlds, int threads)
     : steps_(steps),
       worlds_(static_cast<std::size_t>(worlds)),
       threads_(static_cast<std::size_t>(threads)),
@@ -87,12 +85,12 @@ Scaling::Scaling(const WorldOptions& options, std::size_t steps, int worlds, int
       bare_with_threads_(steps),
       bare_with_one_(steps) {
   for (std::size_t i = 0; i < threads_; ++i) {
-    bare_.push_back(std::make_unique<BareWorld>(options, MIMO_JACOBIAN_MODEL, 0));
+    bare_.push_back(std::make_unique<PhysicsWorld>(options, MIMO_JACOBIAN_MODEL, 0));
   }
 }
 
 // Everything takes turns, so that a busy machine slows all alike; ratios are of medians.
-void Scaling::run() {
+void ThreadScaling::run() {
   const auto first = actions_.draw();  // the same for both: they have to go the same way
   for (BatchWorld* batch : {&with_threads_, &with_one_}) batch->step(first);
   for (const auto& bare : bare_) bare->warm_up(draw(actions_, kBareTurn));
@@ -110,18 +108,18 @@ void Scaling::run() {
   }
 }
 
-void Scaling::run_batch(BatchWorld& batch, const Actions& actions, Samples& times, bool counted) {
+void ThreadScaling::run_batch(BatchWorld& batch, const Actions& actions, StepTimes& times, bool counted) {
   for (const auto& action : actions) {
-    if (counted) Allocations::start();
+    if (counted) AllocationCounter::start();
     const auto start = Clock::now();
     batch.step(action);
     times.add(seconds_since(start));
-    if (counted) Allocations::stop();
+    if (counted) AllocationCounter::stop();
   }
 }
 
 // The same work on each of the threads at once, and on one alone.
-void Scaling::run_bare(const Actions& actions) {
+void ThreadScaling::run_bare(const Actions& actions) {
   auto start = Clock::now();
   std::vector<std::thread> others;
   for (std::size_t i = 1; i < threads_; ++i) others.emplace_back([&, i] { bare_[i]->run(actions); });
@@ -134,7 +132,7 @@ void Scaling::run_bare(const Actions& actions) {
   bare_with_one_.add(seconds_since(start));
 }
 
-nlohmann::ordered_json Scaling::result() {
+nlohmann::ordered_json ThreadScaling::result() {
   const double world_steps = static_cast<double>(steps_ * worlds_);
   const double simulated = bare_[0]->env().timestep() * bare_[0]->env().frame_skip();
   const double wall = step_with_threads_.sum();

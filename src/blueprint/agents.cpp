@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <string_view>
 
+#include "access/requested_fields.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "document/names.h"
-#include "scene/groups.h"
+#include "scene/anatomy.h"
 
 namespace mimo::blueprint {
 namespace {
@@ -37,6 +38,16 @@ void require_part(const env::AgentOptions& options, const std::string& body, con
   if (known && std::find(names.begin(), names.end(), body) == names.end()) {
     fail(Status::kNotFound, "no body \"{}\"; the infant has: {}", body, join(names, ", "));
   }
+}
+
+scene::Camera camera_of(const env::CameraOptions& options, const Stand& stand) {
+  scene::Camera camera;
+  camera.name = options.camera;
+  camera.body = stand.body;
+  camera.position = stand.position;
+  camera.look_at = stand.look_at;
+  if (options.vision.fovy > 0) camera.fovy = options.vision.fovy;
+  return camera;
 }
 
 }  // namespace
@@ -151,6 +162,30 @@ void Agents::set_touch(std::size_t agent, double spacing) {
   senses::TouchOptions& touch = at(agent).touch;
   touch.spacing.clear();
   touch.everywhere = spacing;
+}
+
+void Cameras::add(const CameraPlan& plan, scene::Scene& scene) {
+  require(plan.options.vision.wanted != 0, "outputs is 0, expected at least one of the MIMO_VISION_ bits");
+  for (const env::CameraOptions& other : cameras_) {
+    require(other.camera != plan.options.camera, "name: camera \"{}\" is observed already", other.camera);
+  }
+  if (plan.placed) scene.add_camera(camera_of(plan.options, *plan.placed));
+  cameras_.push_back(plan.options);
+}
+
+void Fields::add(const access::FieldOptions& field) {
+  access::check(field);
+  for (const access::FieldOptions& other : fields_) {
+    require(other.name != field.name, "name: there is a field \"{}\" already", field.name);
+  }
+  fields_.push_back(field);
+}
+
+env::FurtherSense Fields::sense() const {
+  if (fields_.empty()) return {};
+  return [fields = fields_](const mjModel& model, const env::World* world) {
+    return std::make_unique<access::RequestedFields>(model, world, fields);
+  };
 }
 
 }  // namespace mimo::blueprint

@@ -1,14 +1,18 @@
-// Agents, and what goes together: their names, bodies, roots, places and motors.
+// Agents, cameras and requested fields, and what goes together: names, bodies, roots, places, motors.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "access/requested_fields.h"
 #include "env/options.h"
 #include "scene/scene.h"
 
 namespace mimo::blueprint {
+
+// Agents, and what goes together: their names, bodies, roots, places and motors.
 
 constexpr const char* kUsualBody = "mitten";
 
@@ -57,6 +61,45 @@ class Agents {
   void require_name(const std::string& name) const;
 
   std::vector<env::AgentOptions> agents_;
+};
+
+// Cameras whose pictures are observed, though they belong to no agent.
+
+// Where a new camera stands, and where it looks.
+struct Stand {
+  std::string body;  // "": the world; both points are in its frame
+  std::array<double, 3> position{};
+  std::array<double, 3> look_at{};
+};
+
+struct CameraPlan {
+  env::CameraOptions options;
+  std::optional<Stand> placed;  // nothing: the scene has it already
+};
+
+class Cameras {
+ public:
+  const std::vector<env::CameraOptions>& all() const { return cameras_; }
+  // No camera is observed twice, and none for nothing. The scene gets one that it does not have: of the same name, and
+  // as wide as the picture where that says.
+  void add(const CameraPlan& plan, scene::Scene& scene);
+
+ private:
+  std::vector<env::CameraOptions> cameras_;
+};
+
+// Fields on request, which the scene's worlds observe beside what agents and cameras give.
+
+class Fields {
+ public:
+  const std::vector<access::FieldOptions>& all() const { return fields_; }
+  // No two of a name, and none of what no field can be.
+  void add(const access::FieldOptions& field);
+  // Makes the sense that fills them; empty where there are none.
+  env::FurtherSense sense() const;
+
+ private:
+  std::vector<access::FieldOptions> fields_;
 };
 
 }  // namespace mimo::blueprint

@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "blueprint/agents.h"
-#include "blueprint/cameras.h"
-#include "blueprint/fields.h"
 #include "env/compiled_world.h"
 #include "env/world.h"
 #include "scene/scene.h"

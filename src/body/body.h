@@ -3,8 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/span.h"
+#include "engine/model.h"
 #include "engine/physics.h"
 
 namespace mimo::body {
@@ -95,5 +98,42 @@ struct Extent {
 Extent extent(const mjModel& model, const mjData& data, const Body& body);
 // Their distance.
 double height(const mjModel& model, const mjData& data, const Body& body);
+
+}  // namespace mimo::body
+
+typedef struct mjModel_ mjModel;
+
+namespace mimo::body {
+
+// The muscles of a joint that a motor turns: how hard they pull, and over which angles.
+
+struct Body;
+struct Joint;
+
+// The range of a motor's force, before its gear; what has none pulls as hard as its controls may tell it, 0 and 0 where
+// they may be anything.
+std::pair<double, double> forces_of(const mjModel& model, int motor);
+
+// The angles between which the muscles of one of its joints go from their shortest to their longest: the joint's range.
+// A joint that goes less far, or further, at the body's age than at 18 months keeps the width of 18 months, around its
+// middle: what holds a young joint back does not move the muscles' ends, which are their levers, and muscles fit the
+// angles at which they work. Throws Status::kModel for numbers in the document that do not fit the body.
+std::pair<double, double> muscle_range(const mjModel& model, const Body& body, const Joint& joint);
+
+// The pose that a document stores, in which its model starts.
+
+// Writes it into qpos: the numbers "mimo:root" for the root of an infant (body mimo_location), tuples "mimo:pose" for
+// hinges and slides. Each may have the prefix of an infant or object, "anna/mimo:pose". What is not stored stays as it
+// is. Throws Status::kModel for a root without a free joint and for other joints.
+void read_stored_pose(const mjModel& model, Span<double> qpos);
+
+// How far it is from each part of an infant to its brain stem, along the limbs.
+
+// Metres by body of the model, 0 for those that are no part of it and where the agent has no head: from the middle of
+// the part through the joints on its way to the base of the neck, and on to the middle of the head, times a factor for
+// each of arm, leg, spine and head. It depends on no pose.
+std::vector<double> nerve_lengths(const mjModel& model, const Body& body);
+// The same for one body, of whatever infant it is a part.
+double nerve_length(const mjModel& model, int body);
 
 }  // namespace mimo::body

@@ -1,13 +1,12 @@
-// Named access.
-#include "capi/access.h"
-
 #include "base/format.h"
+#include "capi/access_arguments.h"
+#include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
+#include "capi/structs.h"
 #include "capi/use.h"
 
 namespace mimo::capi {
-
 namespace {
 
 bool is_of_receptors(std::int32_t number) { return number >= MIMO_RECEPTOR_BODY && number <= MIMO_RECEPTOR_FRAME; }
@@ -30,7 +29,27 @@ std::string told(std::int32_t number) {
   fail(Status::kInvalidArgument, "{} is {}, expected {}", argument, what, expected);
 }
 
+void check_id(const env::World& world, const access::Kind& kind, std::int32_t id) {
+  const int limit = kind.count(world);
+  if (id >= 0 && id < limit) return;
+  fail(Status::kInvalidArgument, "id is {}, expected a {} id from 0 to {}", id, access::words(kind.constant),
+       limit - 1);
+}
+
+template <typename T>
+void get(const mimo_env* env, std::int32_t quantity, const std::int32_t* ids, std::size_t id_count, T* values,
+         std::size_t value_count) {
+  const env::World& world = open(env).world();
+  const Request wanted = request_from(quantity);
+  const access::Ids which = ids_of(world, wanted.quantity, ids, id_count);
+  const Span<T> where = array(values, value_count, "values");
+  check_exact(value_count, access::width(world, wanted.quantity, which), "value_count");
+  access::get(world, wanted.quantity, which, wanted.now, where);
+}
+
 }  // namespace
+
+// Named access.
 
 Request request_from(std::int32_t quantity) {
   const std::int32_t number = quantity & ~MIMO_NOW;
@@ -70,27 +89,6 @@ access::Ids ids_of(const env::World& world, const access::Quantity& quantity, co
   return access::Ids(array(ids, count, "ids"));
 }
 
-namespace {
-
-void check_id(const env::World& world, const access::Kind& kind, std::int32_t id) {
-  const int limit = kind.count(world);
-  if (id >= 0 && id < limit) return;
-  fail(Status::kInvalidArgument, "id is {}, expected a {} id from 0 to {}", id, access::words(kind.constant),
-       limit - 1);
-}
-
-template <typename T>
-void get(const mimo_env* env, std::int32_t quantity, const std::int32_t* ids, std::size_t id_count, T* values,
-         std::size_t value_count) {
-  const env::World& world = open(env).world();
-  const Request wanted = request_from(quantity);
-  const access::Ids which = ids_of(world, wanted.quantity, ids, id_count);
-  const Span<T> where = array(values, value_count, "values");
-  check_exact(value_count, access::width(world, wanted.quantity, which), "value_count");
-  access::get(world, wanted.quantity, which, wanted.now, where);
-}
-
-}  // namespace
 }  // namespace mimo::capi
 
 using namespace mimo;
@@ -164,6 +162,69 @@ mimo_status mimo_env_set(mimo_env* env, int32_t quantity, const int32_t* ids, si
 
 mimo_status mimo_env_update(mimo_env* env) noexcept {
   return guard(env, [&] { open(env).world().update_poses(); });
+}
+
+}  // extern "C"
+
+namespace mimo::capi {
+namespace {
+
+mimo_field_config default_field_config() {
+  mimo_field_config config{};
+  config.struct_size = sizeof config;
+  config.quantity = MIMO_BODY_POSITION;
+  return config;
+}
+
+std::vector<std::string> elements_of(const mimo_field_config& config) {
+  std::vector<std::string> names;
+  for (const char* name : array(config.elements, config.element_count, "elements")) {
+    require(name != nullptr, "elements[{}] is NULL, expected a name", names.size());
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+access::FieldOptions options_from(const mimo_field_config& config) {
+  access::FieldOptions options;
+  const Request wanted = request_from(config.quantity);
+  options.quantity = &wanted.quantity;
+  options.now = wanted.now;
+  options.name = text(config.name);
+  require(!options.name.empty(), "name is {}, expected one for the field", config.name == nullptr ? "NULL" : "\"\"");
+  require(options.name.front() != '/' && options.name.back() != '/', "name is \"{}\", expected no / at its ends",
+          options.name);
+  options.elements = elements_of(config);
+  options.relative_to = text(config.relative_to);
+  return options;
+}
+
+}  // namespace
+
+// Fields of the observation on request.
+
+}  // namespace mimo::capi
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_field_config_init(mimo_field_config* config, size_t size) noexcept {
+  return guard([&] { write_struct(config, size, default_field_config(), "config"); });
+}
+
+mimo_status mimo_scene_add_field(mimo_scene* scene, const mimo_field_config* config) noexcept {
+  return guard(scene, [&] {
+    blueprint::Blueprint& blueprint = open(scene).blueprint;
+    require(config != nullptr, "config is NULL, but a field needs at least a name");
+    const mimo_field_config given = read_struct(config, "config");
+    const access::FieldOptions field = options_from(given);
+    blueprint.edit([&](blueprint::SceneEdit& edit) {
+      edit.fields.add(field);
+      note(edit, {{"call", "add_field"}, {"config", json_of(given)}, {"elements", field.elements}});
+    });
+  });
 }
 
 }  // extern "C"

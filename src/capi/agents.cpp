@@ -1,20 +1,16 @@
 // Agents, from their configs to plans.
-#include "capi/agents.h"
-
 #include <algorithm>
 #include <optional>
 
-#include "base/bits.h"
 #include "base/header.h"
+#include "base/numbers.h"
 #include "capi/calls.h"
 #include "capi/check.h"
-#include "capi/growth.h"
+#include "capi/configs.h"
 #include "capi/objects.h"
-#include "capi/pose.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "capi/vision.h"
-#include "scene/groups.h"
+#include "scene/anatomy.h"
 
 namespace mimo::capi {
 namespace {

@@ -1,5 +1,4 @@
-#include "capi/batch_arguments.h"
-
+#include "capi/access_arguments.h"
 #include "capi/check.h"
 #include "capi/results.h"
 #include "capi/structs.h"

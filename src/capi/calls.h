@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/format.h"
-#include "base/utf8.h"
 #include "blueprint/blueprint.h"
 #include "capi/check.h"
 #include "capi/members.h"

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/fail.h"
-#include "base/finite.h"
 #include "base/span.h"
 #include "mimo/status.h"
 

@@ -1,9 +1,7 @@
-#include "capi/env.h"
-
-#include "capi/agents.h"
 #include "capi/calls.h"
 #include "capi/check.h"
-#include "capi/log.h"
+#include "capi/configs.h"
+#include "capi/handed.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"

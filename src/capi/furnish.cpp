@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "capi/check.h"
+#include "capi/configs.h"
 #include "capi/objects.h"
-#include "capi/pose.h"
 #include "capi/structs.h"
 #include "capi/use.h"
 

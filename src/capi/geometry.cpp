@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "capi/access.h"
+#include "capi/access_arguments.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
@@ -10,7 +10,7 @@
 #include "compat/mujoco.h"
 #include "engine/present.h"
 #include "geometry/axes.h"
-#include "geometry/geoms.h"
+#include "geometry/mesh.h"
 #include "geometry/texture.h"
 
 namespace mimo::capi {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/utf8.h"
+#include "base/format.h"
 #include "capi/check.h"
 #include "capi/handle.h"
 

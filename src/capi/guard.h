@@ -7,7 +7,7 @@
 #include <array>
 
 #include "base/caught.h"
-#include "base/floats.h"
+#include "base/processor.h"
 #include "mimo/experimental.h"
 
 namespace mimo::capi {

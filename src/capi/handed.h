@@ -1,11 +1,18 @@
-// Structs that the library hands to functions of the host's, which may be of a newer interface.
+// What the library hands to the host's functions: structs, which may be of a newer interface, and log messages.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string>
+
+#include "base/format.h"
+#include "base/log.h"
+#include "mimo/log.h"
 
 namespace mimo::capi {
+
+// Structs that the library hands to functions of the host's, which may be of a newer interface.
 
 // The header promises this many bytes, zero where our struct has none: a newer function may read and write them.
 constexpr std::size_t kHandedBytes = 256;
@@ -34,5 +41,22 @@ class Handed {
   T ours_{};
   unsigned char room_[kHandedBytes - sizeof(T)]{};
 };
+
+// Messages, from the rooms' records to the public one.
+
+inline LogSink log_sink(mimo_log_fn write, void* user) {
+  if (write == nullptr) return {};
+  return LogSink([write, user](const LogRecord& record) {
+    Handed<mimo_log_record> ours;
+    ours->level = static_cast<std::int32_t>(record.level);
+    ours->code = record.code;
+    ours->in_world = record.in_world ? 1 : 0;
+    const std::string text = as_line(record.text);
+    ours->text = text.c_str();
+    ours->world = record.world;
+    ours->time = record.time;
+    write(user, ours.get());
+  });
+}
 
 }  // namespace mimo::capi

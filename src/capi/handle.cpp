@@ -9,8 +9,7 @@
 #include <new>
 #include <utility>
 
-#include "base/fork.h"
-#include "base/unload.h"
+#include "base/process.h"
 
 namespace mimo::capi {
 namespace {

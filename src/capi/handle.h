@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "base/fail.h"
-#include "base/floats.h"
+#include "base/processor.h"
 #include "capi/guard.h"
 
 namespace mimo::capi {

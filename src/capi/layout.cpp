@@ -1,11 +1,11 @@
 // What observations, actions and rewards consist of.
-#include "base/choice.h"
-#include "capi/access.h"
+#include "base/fail.h"
+#include "capi/access_arguments.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "observation/foveal_map.h"
+#include "observation/foveation.h"
 
 namespace mimo::capi {
 

@@ -10,7 +10,7 @@
 #include "blueprint/aging_world.h"
 #include "blueprint/blueprint.h"
 #include "capi/handle.h"
-#include "capi/report.h"
+#include "capi/results.h"
 #include "env/attached.h"
 #include "env/description.h"
 #include "env/world.h"
@@ -188,5 +188,19 @@ template <>
 struct HandleTraits<mimo_env> : Behind<EnvObject, HandleType::kEnv> {
   static constexpr const char* kName = "env";
 };
+
+// Worlds, from their configs to options.
+
+mimo_env_config default_env_config();
+env::EnvOptions env_options(const mimo_env_config& config);
+
+// `described_at` as WorldsByAge has it.
+blueprint::WorldsByAgePtr worlds_of(const blueprint::Blueprint& blueprint, const mimo_env_config& config,
+                                    blueprint::WorldsByAge::DescribedAt described_at = {});
+
+// The world of a recording, made of the calls that the file keeps.
+
+std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Recording>& recording,
+                                         const mimo_env_config* config, const mimo_agent_config* senses);
 
 }  // namespace mimo::capi

@@ -1,5 +1,3 @@
-#include "capi/recorded_world.h"
-
 #include <algorithm>
 #include <deque>
 #include <limits>
@@ -7,11 +5,11 @@
 #include <optional>
 
 #include "base/format.h"
-#include "capi/agents.h"
 #include "capi/calls.h"
 #include "capi/check.h"
-#include "capi/env.h"
-#include "capi/log.h"
+#include "capi/configs.h"
+#include "capi/handed.h"
+#include "capi/objects.h"
 #include "capi/use.h"
 
 namespace mimo::capi {

@@ -5,14 +5,12 @@
 #include <string>
 
 #include "base/format.h"
-#include "capi/block.h"
 #include "capi/check.h"
 #include "capi/objects.h"
-#include "capi/recorded_world.h"
 #include "capi/results.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "recording/build.h"
+#include "recording/rows.h"
 
 namespace mimo::capi {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "capi/check.h"
-#include "capi/log.h"
+#include "capi/handed.h"
 #include "capi/objects.h"
 #include "capi/structs.h"
 #include "capi/use.h"

@@ -1,15 +1,13 @@
 // Senses on a host's own simulation.
 #include <cmath>
 
-#include "capi/block.h"
 #include "capi/check.h"
-#include "capi/env.h"
-#include "capi/log.h"
+#include "capi/handed.h"
 #include "capi/objects.h"
-#include "capi/reset.h"
+#include "capi/results.h"
 #include "capi/structs.h"
 #include "capi/use.h"
-#include "engine/host_model.h"
+#include "engine/data.h"
 
 namespace mimo::capi {
 namespace {

@@ -1,9 +1,8 @@
 // Stepping and observations.
-#include "capi/block.h"
+
 #include "capi/check.h"
-#include "capi/growth.h"
+#include "capi/configs.h"
 #include "capi/objects.h"
-#include "capi/reset.h"
 #include "capi/results.h"
 #include "capi/structs.h"
 #include "capi/use.h"
@@ -25,6 +24,7 @@ Span<double> forces_of(const env::World& world, const mimo_movement& movement) {
 }
 
 }  // namespace
+
 }  // namespace mimo::capi
 
 using namespace mimo;
@@ -88,6 +88,65 @@ mimo_status mimo_env_time(const mimo_env* env, double* seconds) noexcept {
 
 mimo_status mimo_env_timestep(const mimo_env* env, double* seconds) noexcept {
   return guard(env, [&] { out(seconds, "seconds") = open(env).world().model().opt.timestep; });
+}
+
+}  // extern "C"
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
+  return guard(env, [&] {
+    const env::Timing& inner = open(env).world().timing();
+    const auto of = [&](observation::Share share) { return inner.senses[static_cast<std::size_t>(share)]; };
+    mimo_timing ours{};
+    ours.steps = inner.steps;
+    ours.total = inner.total;
+    ours.physics = inner.physics;
+    ours.touch = of(observation::Share::kTouch);
+    ours.vision = of(observation::Share::kVision);
+    ours.proprioception = of(observation::Share::kProprioception);
+    ours.vestibular = of(observation::Share::kVestibular);
+    ours.hearing = of(observation::Share::kHearing);
+    write_described(timing, ours, "timing");
+  });
+}
+
+mimo_status mimo_env_timing_reset(mimo_env* env) noexcept {
+  return guard(env, [&] { open(env).world().reset_timing(); });
+}
+
+}  // extern "C"
+
+using namespace mimo;
+using namespace mimo::capi;
+
+extern "C" {
+
+mimo_status mimo_env_state_size(const mimo_env* env, size_t* bytes) noexcept {
+  return guard(env, [&] { out(bytes, "bytes") = open(env).world().state_bytes(); });
+}
+
+mimo_status mimo_env_state_save(const mimo_env* env, void* state, size_t state_bytes) noexcept {
+  return guard(env, [&] {
+    const env::World& world = open(env).world();
+    auto* start = static_cast<std::uint8_t*>(state);
+    require(start != nullptr, "state is NULL");
+    check_buffer(start, state_bytes, world.state_bytes(), "state");
+    world.save({start, world.state_bytes()});
+  });
+}
+
+mimo_status mimo_env_state_load(mimo_env* env, const void* state, size_t state_bytes,
+                                mimo_load_report* report) noexcept {
+  return guard(env, [&] {
+    EnvObject& object = open(env);
+    const auto* start = static_cast<const std::uint8_t*>(state);
+    require(start != nullptr, "state is NULL");
+    load_and_report(report, object.loaded, [&] { return object.world().load({start, state_bytes}); });
+  });
 }
 
 }  // extern "C"

@@ -1,10 +1,9 @@
 // How things of a scene feel to skin.
-#include "env/things.h"
-
 #include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/objects.h"
 #include "capi/use.h"
+#include "env/surroundings.h"
 
 namespace mimo::capi {
 namespace {

@@ -9,11 +9,10 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/cube_margins.h"
 #include "cli/glb.h"
-#include "programs/failure.h"
 #include "programs/files.h"
-#include "programs/random_actions.h"
+#include "programs/joints.h"
+#include "programs/program.h"
 #include "programs/world.h"
 
 namespace cli {

@@ -1,22 +1,18 @@
-#include "cli/follow.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "cli/commands.h"
 #include "motion/motion.h"
 #include "motion/movement.h"
-#include "motion/pose_fit.h"
-#include "programs/angles.h"
+#include "motion/retarget.h"
 #include "programs/csv.h"
-#include "programs/failure.h"
 #include "programs/files.h"
 #include "programs/joints.h"
-#include "programs/progress.h"
-#include "programs/statistics.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 #include "programs/text.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -1,4 +1,4 @@
-// A glTF 2.0 file in one piece: JSON, and the numbers and pictures that it refers to.
+// glTF 2.0 files in one piece: JSON, and the numbers and pictures that it refers to.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "mimo/mimo.hpp"
+
 namespace cli {
+
+// Cubes' textures for programs that draw them with mipmaps: a cube's six faces lie one above the other in one picture,
+// and in the smaller pictures of it a face's border takes the next face's colours. So each face gets a margin.
+
+// The texture with margins around a cube's faces, which repeat their borders; other textures as they are.
+mimo::Texture with_margins(mimo::Texture texture);
+
+// Where a mesh's texcoords, two numbers each, lie in that picture.
+std::vector<float> with_margins(std::vector<float> texcoords, const mimo::Texture& texture);
 
 class Glb {
  public:

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "programs/summary.h"
 #include "programs/text.h"
 #include "programs/world.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -1,7 +1,7 @@
-#include "cli/interrupt.h"
-
 #include <csignal>
 #include <cstdlib>
+
+#include "cli/commands.h"
 
 namespace cli {
 namespace {

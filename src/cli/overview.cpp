@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "cli/picture.h"
-#include "programs/angles.h"
-#include "programs/world_summary.h"
+#include "programs/joints.h"
+#include "programs/summary.h"
 
 namespace cli {
 namespace {

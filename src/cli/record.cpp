@@ -4,13 +4,10 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/recorded_world.h"
-#include "cli/recorder_options.h"
-#include "programs/failure.h"
 #include "programs/files.h"
-#include "programs/progress.h"
-#include "programs/random_actions.h"
+#include "programs/joints.h"
+#include "programs/program.h"
 #include "programs/text.h"
 
 namespace cli {

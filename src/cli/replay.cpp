@@ -11,13 +11,9 @@
 #include <string_view>
 
 #include "cli/commands.h"
-#include "cli/follow.h"
-#include "cli/interrupt.h"
 #include "cli/recorded_world.h"
-#include "cli/recorder_options.h"
-#include "programs/failure.h"
 #include "programs/files.h"
-#include "programs/progress.h"
+#include "programs/program.h"
 #include "programs/text.h"
 
 namespace cli {

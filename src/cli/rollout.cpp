@@ -7,11 +7,10 @@
 
 #include "cli/commands.h"
 #include "programs/csv.h"
-#include "programs/failure.h"
 #include "programs/files.h"
-#include "programs/progress.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 #include "programs/world.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

@@ -7,19 +7,14 @@
 #include <optional>
 
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/picture.h"
-#include "cli/touch_map.h"
 #include "cli/touch_picture.h"
-#include "cli/wave.h"
 #include "programs/files.h"
-#include "programs/progress.h"
-#include "programs/random_actions.h"
-#include "programs/statistics.h"
+#include "programs/joints.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 #include "programs/text.h"
-#include "programs/timing.h"
 #include "programs/world.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {

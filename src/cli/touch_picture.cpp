@@ -2,15 +2,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
-#include "cli/canvas.h"
-#include "cli/force_colors.h"
-#include "programs/angles.h"
+#include "cli/picture.h"
+#include "programs/joints.h"
+#include "programs/summary.h"
 
 namespace cli {
 namespace {
+
+using mimo::Vector;
+
+constexpr std::uint32_t kWidth = 640, kHeight = 480;
+constexpr Rgb kSkin{140, 140, 140};
+
+// All joints of one number at 0.
+mimo::Env straightened(const mimo::Env& env) {
+  mimo::Env straight = env.clone();
+  for (const std::int32_t joint : straight.ids(MIMO_JOINT)) {
+    if (straight.width(MIMO_JOINT_POSITION, {joint}) == 1) straight.set_values(MIMO_JOINT_POSITION, {joint}, {0});
+  }
+  straight.update();
+  return straight;
+}
+
+// The body that says where front and up are: an infant's hip, or the one that was made first.
+std::int32_t trunk(const mimo::Env& env, const std::string& agent, const Skin& skin) {
+  const std::string hip = agent.empty() ? "hip" : agent + "/hip";
+  std::int32_t first = skin.sensors()[0].body;
+  for (const Skin::Sensor& sensor : skin.sensors()) first = std::min(first, sensor.body);
+  for (const std::int32_t body : env.ids(MIMO_BODY)) {
+    if (env.name(MIMO_BODY, body) == hip) return body;
+  }
+  return first;
+}
 
 using mimo::Vector;
 using Feelings = std::vector<Skin::Feeling>;
@@ -94,6 +121,112 @@ std::vector<std::size_t> leaders(const std::vector<std::size_t>& strongest_first
 double arrow_length(double force) { return 0.02 + 0.06 * strength(force); }  // m
 
 }  // namespace
+
+using mimo::Vector;
+
+Vector sum(const Vector& a, const Vector& b, double scale) {
+  return {a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]};
+}
+
+double norm(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+
+Vector rotated(const double* q, const Vector& v) {
+  const Vector u{q[1], q[2], q[3]};
+  const auto cross = [](const Vector& a, const Vector& b) {
+    return Vector{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const Vector t = cross(u, v);
+  return sum(sum(v, t, 2 * q[0]), cross(u, t), 2);
+}
+
+Skin::Skin(const mimo::Env& env, const std::string& fields_of) {
+  const mimo::Layout layout = env.layout();
+  const auto agents = env.agents();
+  for (const mimo_field& field : layout.fields()) {
+    for (const mimo_agent_info& agent : agents) {
+      if (!fields_of.empty() && fields_of != agent.name) continue;
+      if (field.name == prefix(agent) + "touch/force" && field.shape[1] == 3) add(layout, field);
+    }
+  }
+}
+
+void Skin::add(const mimo::Layout& layout, const mimo_field& field) {
+  std::size_t force = field.offset;
+  for (const mimo::Receptor& receptor : layout.receptors(field.name)) {
+    sensors_.push_back({receptor.body, receptor.position, receptor.normal, force});
+    force += 3 * sizeof(float);
+  }
+}
+
+Vector Skin::components(std::size_t sensor, const mimo::Block& block) const {
+  float force[3];
+  std::memcpy(force, block.data() + sensors_[sensor].force, sizeof force);
+  return {double{force[0]}, double{force[1]}, double{force[2]}};
+}
+
+double Skin::force(std::size_t sensor, const mimo::Block& block) const { return norm(components(sensor, block)); }
+
+std::vector<Skin::Feeling> Skin::feelings(const mimo::Env& env, const mimo::Block& block) const {
+  const auto bodies = env.ids(MIMO_BODY);
+  const auto places = env.get_values(MIMO_BODY_POSITION | MIMO_NOW, bodies),
+             turns = env.get_values(MIMO_BODY_ORIENTATION | MIMO_NOW, bodies);  // as the picture shows them
+  std::vector<Feeling> feelings;
+  for (std::size_t i = 0; i < sensors_.size(); ++i) {
+    const auto body = static_cast<std::size_t>(sensors_[i].body);
+    const Vector place{places[3 * body], places[3 * body + 1], places[3 * body + 2]};
+    const double* turn = &turns[4 * body];
+    feelings.push_back({sum(place, rotated(turn, sensors_[i].position)), rotated(turn, sensors_[i].normal),
+                        rotated(turn, components(i, block))});
+  }
+  return feelings;
+}
+
+TouchMap::TouchMap(const mimo::Env& env, const std::string& agent) : skin_(env, agent) {
+  if (!possible()) return;
+  const mimo::Env straight = straightened(env);
+  const auto turn = straight.get_values(MIMO_BODY_ORIENTATION | MIMO_NOW, {trunk(env, agent, skin_)});
+  const double back[4] = {turn[0], -turn[1], -turn[2], -turn[3]};
+  for (const Skin::Feeling& sensor : skin_.feelings(straight, straight.make_block())) {
+    const Vector place = rotated(back, sensor.position), normal = rotated(back, sensor.normal);
+    places_.push_back({place[1], place[2], normal[0] >= 0});
+  }
+}
+
+ColorPicture TouchMap::draw(const mimo::Block& block) const {
+  ColorPicture picture;
+  picture.width = kWidth;
+  picture.height = kHeight;
+  picture.pixels.assign(std::size_t{kWidth} * kHeight, kPaper);
+  const auto by_height =
+      std::minmax_element(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.up < b.up; });
+  const auto by_side = std::minmax_element(places_.begin(), places_.end(),
+                                           [](const Place& a, const Place& b) { return a.across < b.across; });
+  const double low = by_height.first->up, tall = std::max(by_height.second->up - low, 1e-6);
+  const double wide = std::max(by_side.second->across - by_side.first->across, 1e-6);
+  const double middle = (by_side.second->across + by_side.first->across) / 2;
+  const double scale = std::min((kHeight - 90) / tall, (kWidth / 2.0 - 30) / wide);
+  const auto spot = [&](const Place& place) {
+    const double aside = scale * (place.across - middle);
+    return Spot{kWidth / 4.0 + (place.front ? aside : kWidth / 2.0 - aside), kHeight - 70 - scale * (place.up - low)};
+  };
+  std::vector<std::size_t> order(places_.size());
+  std::vector<double> forces(places_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (const std::size_t i : order) forces[i] = skin_.force(i, block);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return forces[a] < forces[b]; });
+  for (const std::size_t i : order) {  // the strongest last, so that nothing lies over them
+    const bool felt = forces[i] > kNothing;
+    stroke(picture, spot(places_[i]), spot(places_[i]), felt ? 3.2 : 1.0,
+           {felt ? heat(strength(forces[i])) : kSkin, 1});
+  }
+  const auto label = [&](const char* text, double x) {
+    write(picture, text, {x - width_of(text, 2) / 2, kHeight - 50}, 2, kInk);
+  };
+  label("FRONT", kWidth / 4.0);
+  label("BACK", 3 * kWidth / 4.0);
+  draw_scale(picture);
+  return picture;
+}
 
 ColorPicture TouchPicture::draw(mimo::Env& env, const mimo_picture_config& config, const mimo::Block& block) {
   const Feelings felt = skin_.feelings(env, block);

@@ -1,11 +1,10 @@
-#include "cli/wave.h"
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
-#include "programs/failure.h"
+#include "cli/commands.h"
 #include "programs/files.h"
+#include "programs/program.h"
 
 namespace cli {
 namespace {

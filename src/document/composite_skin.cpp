@@ -1,12 +1,11 @@
-#include "document/composite_skin.h"
-
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "base/format.h"
-#include "document/lines.h"
+#include "document/composites.h"
+#include "document/report.h"
 #include "document/xml.h"
 
 namespace mimo::document {
@@ -158,7 +157,7 @@ struct Side {
   std::size_t axis;
   bool last, flipped;
 };
-constexpr std::array<Side, 6> kSides = {
+constexpr std::array<Side, 6> kBoxSides = {
     {{2, false, true}, {2, true, false}, {1, false, false}, {1, true, true}, {0, false, true}, {0, true, false}}};
 
 class Sides {
@@ -253,14 +252,14 @@ void add_solid_skin(const Composite& composite, pugi::xml_node assets) {
   if (composite.skin.empty()) return;
   Sides sides(composite);
   if (composite.is({"box"})) {
-    for (const Side& side : kSides) sides.add_sharp(side);
+    for (const Side& side : kBoxSides) sides.add_sharp(side);
   } else if (composite.is({"cylinder"})) {
     sides.add_shared_vertices(2);
-    for (std::size_t i = 2; i < 6; ++i) sides.add_round(kSides[i]);
-    for (std::size_t i = 0; i < 2; ++i) sides.add_sharp(kSides[i]);
+    for (std::size_t i = 2; i < 6; ++i) sides.add_round(kBoxSides[i]);
+    for (std::size_t i = 0; i < 2; ++i) sides.add_sharp(kBoxSides[i]);
   } else {
     sides.add_shared_vertices(3);
-    for (const Side& side : kSides) sides.add_round(side);
+    for (const Side& side : kBoxSides) sides.add_round(side);
   }
   sides.skin.write(composite, assets);
 }

@@ -6,14 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "base/angle.h"
 #include "base/format.h"
-#include "base/length.h"
 #include "base/names.h"
+#include "base/numbers.h"
 #include "document/check.h"
-#include "document/composite.h"
-#include "document/composite_parts.h"
-#include "document/composite_skin.h"
 #include "document/defaults.h"
 #include "document/xml.h"
 
@@ -32,16 +28,16 @@ class Maker : CompositeParts {
   }
 
  private:
-  Place in_grid(int x, int y, int z) const {
+  Position in_grid(int x, int y, int z) const {
     const std::array<int, 3> at{x, y, z};
-    Place place = composite_.offset;
+    Position place = composite_.offset;
     for (std::size_t i = 0; i < 3; ++i) place[i] += composite_.spacing * (at[i] - 0.5 * count_[i]);
     return place;
   }
 
   void add_slides(pugi::xml_node body, const std::vector<std::string>& names) const {
     for (std::size_t i = 0; i < 3; ++i) {
-      Place axis{};
+      Position axis{};
       axis[i] = 1;
       add_joint(body, "main", names.empty() ? "" : names[i], "slide", {}, axis);
     }
@@ -75,7 +71,7 @@ class Maker : CompositeParts {
     }
     for (int x = 0; x < count_[0]; ++x) {
       for (int y = 0; y < count_[1]; ++y) {
-        Place place = in_grid(x, y, 0);
+        Position place = in_grid(x, y, 0);
         place[2] = composite_.offset[2];
         const pugi::xml_node body = add_body(parent_, composite_.named("B", {x, y}), place);
         set(add_geom(body, composite_.named("G", {x, y})), "type", "sphere");
@@ -132,7 +128,7 @@ class Maker : CompositeParts {
     const pugi::xml_node body = add_body(parent, composite_.named("B", {x}), {dx, 0, 0});
     if (composite_.is({"loop"})) bend(body, step);
     add_link_geom(body, x);
-    const Place middle{-0.5 * dx, 0, 0};
+    const Position middle{-0.5 * dx, 0, 0};
     add_joint(body, "main", composite_.named("J", {0, x}), "hinge", middle, {0, 1, 0});
     add_joint(body, "main", composite_.named("J", {1, x}), "hinge", middle, {0, 0, 1});
     add_held_joint(body, "twist", composite_.named("JT", {x}), "hinge", middle, {1, 0, 0});
@@ -144,7 +140,7 @@ class Maker : CompositeParts {
   void bend(pugi::xml_node body, int step) const {
     const double angle = 2 * kPi / count_[0];
     const double length = 0.5 * composite_.spacing * std::sin(kPi - angle) / std::sin(0.5 * angle);
-    const Place place{step * length * std::cos(0.5 * angle), length * std::sin(0.5 * angle), 0};
+    const Position place{step * length * std::cos(0.5 * angle), length * std::sin(0.5 * angle), 0};
     const std::array<double, 4> turn{std::cos(0.5 * angle), 0, 0, std::sin(step * 0.5 * angle)};
     set(body, "pos", Span<const double>(place));
     set(body, "quat", Span<const double>(turn));
@@ -152,7 +148,7 @@ class Maker : CompositeParts {
 
   void close_loop() const {
     const std::string first = composite_.named("B", {0}), last = composite_.named("B", {count_[0] - 1});
-    const Place anchor{-0.5 * composite_.spacing, 0, 0};
+    const Position anchor{-0.5 * composite_.spacing, 0, 0};
     const pugi::xml_node connect = add_equality("connect", smooth_);
     set(connect, "anchor", Span<const double>(anchor));
     const pugi::xml_node exclude = add(sections_.contact, "exclude");
@@ -206,12 +202,12 @@ class Maker : CompositeParts {
   }
 
   pugi::xml_node add_cell(pugi::xml_node parent, Cell from, Cell at) const {
-    const Place step{composite_.spacing * (at[0] - from[0]), composite_.spacing * (at[1] - from[1]), 0};
+    const Position step{composite_.spacing * (at[0] - from[0]), composite_.spacing * (at[1] - from[1]), 0};
     const bool along_x = at[0] != from[0];
     const pugi::xml_node body = add_body(parent, composite_.named("B", {at[0], at[1]}), step);
     fill_cell(body, at);
-    const Place behind{-step[0], -step[1], 0}, along = along_x ? Place{1, 0, 0} : Place{0, 1, 0};
-    const Place across = along_x ? Place{0, 1, 0} : Place{1, 0, 0};
+    const Position behind{-step[0], -step[1], 0}, along = along_x ? Position{1, 0, 0} : Position{0, 1, 0};
+    const Position across = along_x ? Position{0, 1, 0} : Position{1, 0, 0};
     add_joint(body, "main", composite_.named("J", {0, at[0], at[1]}), "hinge", behind, across);
     add_joint(body, "main", composite_.named("J", {1, at[0], at[1]}), "hinge", behind, {0, 0, 1});
     add_held_joint(body, "twist", composite_.named("JT", {at[0], at[1]}), "hinge", behind, along);
@@ -237,7 +233,7 @@ class Maker : CompositeParts {
     double mass = density * volume(geom);
     composite_.read(geom.attribute("mass"), Span<double>(&mass, 1));
     const double side = 0.25 * composite_.spacing * composite_.spacing, thin = side * flat * flat;
-    const Place middle{}, inertia{mass * (side + thin) / 3, mass * (side + thin) / 3, mass * (side + side) / 3};
+    const Position middle{}, inertia{mass * (side + thin) / 3, mass * (side + thin) / 3, mass * (side + side) / 3};
     pugi::xml_node(body).remove_child("inertial");
     const pugi::xml_node inertial = add(body, "inertial");
     set(inertial, "pos", Span<const double>(middle));
@@ -246,8 +242,8 @@ class Maker : CompositeParts {
   }
 
   // A corner of the unit cube, which is 2 wide, as a place on the solid.
-  Place on_solid(Place at) const {
-    Place size{};
+  Position on_solid(Position at) const {
+    Position size{};
     for (std::size_t i = 0; i < 3; ++i) size[i] = 0.5 * composite_.spacing * (count_[i] - 1);
     double scale = 1;
     if (composite_.is({"cylinder"})) {
@@ -289,9 +285,9 @@ class Maker : CompositeParts {
   }
 
   void add_shell_part(const std::array<int, 3>& at, pugi::xml_node tendon) const {
-    Place corner{};
+    Position corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = 2.0 * at[i] / (count_[i] - 1) - 1;
-    const Place place = on_solid(corner);
+    const Position place = on_solid(corner);
     const pugi::xml_node body = add_body(parent_, composite_.named("B", {at[0], at[1], at[2]}), place);
     set(body, "zaxis", Span<const double>(place));
     const pugi::xml_node geom = add_geom(body, composite_.named("G", {at[0], at[1], at[2]}));
@@ -299,7 +295,7 @@ class Maker : CompositeParts {
     size.resize(3);
     const bool capsule = std::string(geom.attribute("type").value()) == "capsule";
     if (!capsule) set(geom, "type", "sphere");
-    const Place inwards{0, 0, -(capsule ? size[0] + size[1] : size[0])};
+    const Position inwards{0, 0, -(capsule ? size[0] + size[1] : size[0])};
     set(geom, "pos", Span<const double>(inwards));
     const std::string joint = composite_.named("J", {at[0], at[1], at[2]});
     add_joint(body, "main", joint, "slide", {}, {0, 0, 1});

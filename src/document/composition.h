@@ -1,4 +1,4 @@
-// A document with the files that it refers to.
+// A document with the files that it refers to, and how two such documents become one.
 #pragma once
 
 #include <memory>
@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "base/log.h"
-#include "document/limits.h"
+#include "document/budget.h"
 #include "engine/model.h"
 
 namespace mimo::document {
+
+// A document with the files that it refers to.
 
 // A document ready to compile, with the built-in files that it refers to.
 struct Composition {
@@ -45,5 +47,13 @@ std::vector<std::string> files_named_by(const std::string& xml);
 
 // Bytes of a built-in file that a document calls "mimo/textures/floor.png"; empty for any other name.
 Span<const unsigned char> built_in_asset(const std::string& path);
+
+// What MuJoCo wants of a document as a whole, and what documents that are put together need not keep between them.
+
+// Actuators that have a state of their own come after those that have none; else the order stays.
+void put_stateful_last(pugi::xml_node root);
+
+// Where sizes of user numbers are given, each becomes the largest of those given and of those used.
+void fit_user_numbers(pugi::xml_node root);
 
 }  // namespace mimo::document

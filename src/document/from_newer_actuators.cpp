@@ -1,5 +1,3 @@
-#include "document/from_newer_actuators.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "document/compiler.h"
 #include "document/defaults.h"
 #include "document/names.h"
+#include "document/other_versions.h"
 #include "document/xml.h"
 
 namespace mimo::document {

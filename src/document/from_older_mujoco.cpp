@@ -1,5 +1,3 @@
-#include "document/from_older_mujoco.h"
-
 #include <cstring>
 #include <set>
 #include <string>
@@ -9,8 +7,9 @@
 #include "base/names.h"
 #include "document/composites.h"
 #include "document/defaults.h"
-#include "document/lines.h"
 #include "document/names.h"
+#include "document/other_versions.h"
+#include "document/report.h"
 #include "document/xml.h"
 
 namespace mimo::document {

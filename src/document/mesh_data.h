@@ -1,15 +1,33 @@
-// What there is in a file of a mesh, as far as it must be right: where vertices are, and what faces refer to.
+// What is in a mesh's file, as far as it must be right: vertices, faces, and whether they span a convex hull.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <pugixml.hpp>
 #include <string>
 #include <vector>
 
-#include "document/limits.h"
-#include "document/loaded_file.h"
+#include "document/budget.h"
+#include "document/files.h"
 
 namespace mimo::document {
+
+// Whether points span a space.
+
+// Whether all points lie in one plane, but for some ten roundings of their coordinates, which are floats.
+bool is_flat(const std::vector<std::array<double, 3>>& points);
+
+// Convex hulls, as far as one can tell of them before MuJoCo makes them.
+
+// How many corners the convex hull of points has, at most: of many points, as many in proportion as that of some of
+// them, for what is a corner among all is one among fewer. The points must not be flat.
+double hull_corners(std::vector<std::array<double, 3>> points);
+
+// The vertices that MuJoCo keeps of a mesh's file with faces of many corners: it leaves out what it cannot cut into
+// triangles. Throws Status::kModel where it cannot read the file.
+std::vector<std::array<double, 3>> kept_vertices(pugi::xml_node mesh, const Limits& limits);
+
+// What there is in a file of a mesh, as far as it must be right: where vertices are, and what faces refer to.
 
 struct MeshData {
   std::vector<std::array<double, 3>> vertices;  // those that the mesh uses

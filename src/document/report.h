@@ -1,4 +1,4 @@
-// What a document's author is told of what was changed in it.
+// Where elements were written (file and line stay with them in an attribute), and what an author is told of changes.
 #pragma once
 
 #include <pugixml.hpp>
@@ -8,6 +8,26 @@
 #include "base/log.h"
 
 namespace mimo::document {
+
+// Where elements were written: file and line stay with them through includes and composition, in an attribute of our
+// own that nobody else sees.
+
+// Notes for every element of a document just parsed from `text` where it stands.
+void note_lines(pugi::xml_document& document, const std::string& text, const std::string& file);
+
+// "room.xml, line 12": where a node stands, or the nearest one around it of which that is known; else "the scene".
+std::string where(pugi::xml_node node);
+
+// Whether an attribute is such a note.
+bool is_note(pugi::xml_attribute attribute);
+
+// Removes the notes. Returns them, one for each element in the document's order, "" where there was none.
+std::vector<std::string> take_lines(pugi::xml_node root);
+
+// A message of the compiler's with the user's file and line in place of those of the composed text.
+std::string with_users_lines(const std::string& message, const std::string& xml, const std::vector<std::string>& notes);
+
+// What a document's author is told of what was changed in it.
 
 // Warnings of one kind are one message, whose place is the first.
 class Report {

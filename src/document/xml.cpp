@@ -6,7 +6,6 @@
 
 #include "base/fail.h"
 #include "base/format.h"
-#include "base/read_double.h"
 
 namespace mimo::document {
 namespace {

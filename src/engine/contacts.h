@@ -1,14 +1,32 @@
-// What meets what in the contacts that a physics step found, as all who look at contacts see it.
+// Contacts that a physics step found, what a body stands on or is stuck in, and MuJoCo 4's flexes.
 #pragma once
 
 #include <mujoco/mjdata.h>
 #include <mujoco/mjmodel.h>
 
 #include <array>
-
-#include "engine/flexes.h"
+#include <vector>
 
 namespace mimo::engine {
+
+// MuJoCo 4's flexes: things of many bodies that bend, such as cloth and ropes. Older models have none.
+
+int flex_count(const mjModel& model);
+
+// Flexes that move with nothing else than these bodies.
+std::vector<int> flexes_on(const mjModel& model, const std::vector<int>& bodies);
+
+// The flexes that are a contact's sides: -1 for geoms.
+std::array<int, 2> flexes_of(const mjContact& contact);
+
+// The body of a contact's side that is a flex: the body of the vertex next to the contact, or of the node where nodes
+// move the vertices; -1 where the contact names no such thing.
+int body_of_flex(const mjModel& model, const mjData& data, const mjContact& contact, std::size_t side);
+
+// Throws Status::kUnsupported for a model with flexes whose contacts press with forces that no contact tells.
+void require_told_forces(const mjModel& model);
+
+// What meets what in the contacts that a physics step found, as all who look at contacts see it.
 
 // A contact's two sides: geoms, or flexes (engine/flexes.h).
 struct Meeting {
@@ -66,5 +84,31 @@ class Contacts {
   const mjModel& model_;
   const mjData& data_;
 };
+
+// What a body stands on, and what it is stuck in.
+
+// Half the extent of a geom along the world's z axis.
+double half_height(const mjModel& model, const mjData& data, int geom);
+
+// Geoms of a body that hangs on the world, and of all that hangs on it.
+std::vector<int> geoms_of_tree(const mjModel& model, int root);
+
+// Heights at which a vertical line meets geoms that stand still and that can touch one of those given.
+std::vector<double> heights_at(const mjModel& model, const mjData& data, const std::vector<int>& geoms, double x,
+                               double y);
+
+// How deep the two sides of a contact are in each other there, m, below 0 where they are apart. MuJoCo 2.2 reports half
+// of it where a face of a box touches another box, and all of it where edges cross.
+double overlap_of(const mjModel& model, const mjData& data, const Meeting& met);
+
+struct Overlap {
+  double depth = 0;  // m
+  Meeting met{};
+  std::size_t own = 0;  // its side
+};
+
+// Where a body that hangs on the world, with all that hangs on it, is deepest inside something else; from the contacts
+// that the data holds.
+Overlap deepest_overlap(const mjModel& model, const mjData& data, int root);
 
 }  // namespace mimo::engine

@@ -1,22 +1,25 @@
 #include "engine/model.h"
 
+#include <mujoco/mjxmacro.h>
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <cmath>
 #include <cstring>
 #include <locale>
+#include <string_view>
+#include <type_traits>
 
-#include "base/choice.h"
+#include "base/bytes.h"
 #include "base/fail.h"
 #include "base/format.h"
-#include "base/plain_numbers.h"
+#include "base/process.h"
 #include "base/processor.h"
 #include "compat/mujoco.h"
-#include "engine/callbacks.h"
-#include "engine/compile_lock.h"
 #include "engine/guard.h"
+#include "engine/hooks.h"
 
 namespace mimo::engine {
 namespace {
@@ -74,16 +77,6 @@ void require_processor() {
 #endif
 }
 
-}  // namespace
-
-// 222, and since 3.5 4000001.
-std::string compiled_version() {
-  constexpr int kVersion = mjVERSION_HEADER, kBase = kVersion < 1000 ? 10 : 1000;
-  return format("{}.{}.{}", kVersion / (kBase * kBase), kVersion / kBase % kBase, kVersion % kBase);
-}
-
-namespace {
-
 // MuJoCo's message may have several lines; ours have one.
 std::string one_line(const char* text) {
   std::string line(text);
@@ -108,7 +101,56 @@ std::vector<std::string> names_of(const mjModel& model, Kind kind) {
   return names;
 }
 
+std::vector<std::string> names_of(const mjModel& model, mjtObj type, int count) {
+  std::vector<std::string> names;
+  for (int id = 0; id < count; ++id) {
+    const char* name = mj_id2name(&model, type, id);
+    names.emplace_back(name == nullptr ? "" : name);
+  }
+  return names;
+}
+
+std::uint64_t rounded(double number) {
+  constexpr double kNoise = 1e-9;  // what is left of a zero after other sums elsewhere
+  const float single = std::abs(number) < kNoise ? 0.0f : static_cast<float>(number);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &single, sizeof bits);
+  return bits;
+}
+
+template <typename T>
+void add(Hash& hash, const T* values, std::size_t count) {
+  if constexpr (std::is_floating_point_v<T>) {
+    for (std::size_t i = 0; i < count; ++i) hash.add(rounded(static_cast<double>(values[i])));
+  } else {
+    hash.add(Span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(values), count * sizeof(T)));
+  }
+}
+
+void add_options(Hash& hash, const mjOption& opt) {
+#if MIMO_MUJOCO_4
+#define X(type, name, count) add(hash, &opt.name, 1);
+#define XVEC(type, name, count) add(hash, opt.name, count);
+  MJOPTION_FIELDS
+#undef XVEC
+#undef X
+#else
+#define X(type, name) add(hash, &opt.name, 1);
+  MJOPTION_SCALARS
+#undef X
+#define X(name, count) add(hash, opt.name, count);
+  MJOPTION_VECTORS
+#undef X
+#endif
+}
+
 }  // namespace
+
+// 222, and since 3.5 4000001.
+std::string compiled_version() {
+  constexpr int kVersion = mjVERSION_HEADER, kBase = kVersion < 1000 ? 10 : 1000;
+  return format("{}.{}.{}", kVersion / (kBase * kBase), kVersion / kBase % kBase, kVersion % kBase);
+}
 
 ModelPtr compile(const std::string& xml, const std::vector<Asset>& assets, const LogSink& log) {
   constexpr const char* kDocument = "mimo_scene.xml";
@@ -202,6 +244,80 @@ const char* word(Kind kind) {
     case Kind::kLight: return "light";
   }
   return "element";
+}
+
+std::string custom_text(const mjModel& model, const std::string& name) {
+  const int id = mj_name2id(&model, mjOBJ_TEXT, name.c_str());
+  return id < 0 ? "" : model.text_data + model.text_adr[id];
+}
+
+std::vector<std::string> custom_number_names(const mjModel& model) {
+  return names_of(model, mjOBJ_NUMERIC, static_cast<int>(model.nnumeric));
+}
+
+std::vector<std::string> custom_tuple_names(const mjModel& model) {
+  return names_of(model, mjOBJ_TUPLE, static_cast<int>(model.ntuple));
+}
+
+Span<const double> custom_numbers(const mjModel& model, const std::string& name) {
+  const int id = mj_name2id(&model, mjOBJ_NUMERIC, name.c_str());
+  if (id < 0) return {};
+  return {model.numeric_data + model.numeric_adr[id], static_cast<std::size_t>(model.numeric_size[id])};
+}
+
+std::vector<TupleEntry> custom_tuple(const mjModel& model, const std::string& name, Kind kind) {
+  const int id = mj_name2id(&model, mjOBJ_TUPLE, name.c_str());
+  std::vector<TupleEntry> entries;
+  for (int i = 0; id >= 0 && i < model.tuple_size[id]; ++i) {
+    const int at = model.tuple_adr[id] + i;
+    if (model.tuple_objtype[at] == object_type(kind))
+      entries.push_back({model.tuple_objid[at], model.tuple_objprm[at]});
+  }
+  return entries;
+}
+
+bool has_one_axis(const mjModel& model, int joint) {
+  return model.jnt_type[joint] == mjJNT_HINGE || model.jnt_type[joint] == mjJNT_SLIDE;
+}
+
+int position_count(int joint_type) { return joint_type == mjJNT_FREE ? 7 : joint_type == mjJNT_BALL ? 4 : 1; }
+
+int velocity_count(int joint_type) { return joint_type == mjJNT_FREE ? 6 : joint_type == mjJNT_BALL ? 3 : 1; }
+
+int quaternion_place(int joint_type) { return joint_type == mjJNT_FREE ? 3 : joint_type == mjJNT_BALL ? 0 : -1; }
+
+int free_joint_address(const mjModel& model, int body) {
+  const int joint = model.body_jntadr[body];
+  if (joint < 0 || model.jnt_type[joint] != mjJNT_FREE) {
+    fail(Status::kModel, "body {} has no free joint", name(model, Kind::kBody, body));
+  }
+  return model.jnt_qposadr[joint];
+}
+
+void normalize_quaternion(double* quaternion) { mju_normalize4(quaternion); }
+
+std::uint64_t shape(const mjModel& model) {
+  Hash hash;
+#define X(name) hash.add(static_cast<std::uint64_t>(model.name));
+  MIMO_MODEL_SIZES
+#undef X
+  hash.add({reinterpret_cast<const std::uint8_t*>(model.names), static_cast<std::size_t>(model.nnames)});
+  return hash.value();
+}
+
+std::uint64_t fingerprint(const mjModel& model) {
+  Hash hash;
+#define X(name) hash.add(static_cast<std::uint64_t>(model.name));
+  MIMO_MODEL_SIZES
+#undef X
+  add_options(hash, model.opt);
+  MJMODEL_POINTERS_PREAMBLE((&model))
+#define X(type, name, rows, columns)                            \
+  if constexpr (std::string_view(#name) != compat::kPixelsName) \
+    add(hash, model.name, static_cast<std::size_t>(model.rows) * static_cast<std::size_t>(columns));
+  MJMODEL_POINTERS
+#undef X
+  return hash.value();
 }
 
 }  // namespace mimo::engine

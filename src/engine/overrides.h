@@ -1,6 +1,4 @@
-// How one world's model differs from the model that it shares with others: locked joints, gears, faces, masses, sizes,
-// colours, ... The first change of an array copies it; everything else stays shared. (Gravity lies in the struct
-// itself, which every world has for its own.)
+// How one world's model differs from the model that it shares with others, and what MuJoCo derives from changed masses.
 #pragma once
 
 #include <mujoco/mjmodel.h>
@@ -13,6 +11,30 @@
 #include "base/span.h"
 
 namespace mimo::engine {
+
+// What MuJoCo's compiler derives from the masses of bodies, found out anew for masses that one world has changed.
+
+// A model like the given one whose masses can be tried out: its numbers are its own, what is only drawn stays shared.
+// MuJoCo writes to more than masses when it derives, and none of that may reach a model that worlds share.
+class Constants {
+ public:
+  explicit Constants(const mjModel& model);
+
+  // The inertia grows along.
+  void scale_mass(int body, double mass);
+  // Throws Status::kInvalidArgument for masses with which there is no calculating.
+  void derive();
+  // Copies masses and what follows from them to a model whose arrays may be written to.
+  void copy_to(mjModel& model) const;
+
+ private:
+  mjModel model_;
+  std::vector<std::unique_ptr<std::uint8_t[]>> arrays_;
+};
+
+// How one world's model differs from the model that it shares with others: locked joints, gears, faces, masses, sizes,
+// colours, ... The first change of an array copies it; everything else stays shared. (Gravity lies in the struct
+// itself, which every world has for its own.)
 
 class Overrides {
  public:

@@ -5,8 +5,9 @@
 
 #include "base/fail.h"
 #include "compat/mujoco.h"
-#include "engine/callbacks.h"
 #include "engine/data.h"
+#include "engine/guard.h"
+#include "engine/hooks.h"
 #include "solver/newton.h"
 
 namespace mimo::engine {
@@ -57,6 +58,43 @@ void apply(const PhysicsOptions& options, mjOption& opt) {
   if (!options.gravity) opt.disableflags |= mjDSBL_GRAVITY;
 }
 
+// The accelerations that end a step with these velocities. Those of joints with damping are damped at its end: what
+// they had before is M a = (M + h B) (v' - v) / h.
+void set_accelerations(const mjModel& model, mjData& data, const double* velocities) {
+  const double step = model.opt.timestep;
+  for (int i = 0; i < model.nv; ++i) {
+    data.qacc[i] = (velocities[i] - data.qvel[i]) / step;
+    data.qfrc_inverse[i] = step * model.dof_damping[i] * data.qacc[i];
+  }
+  mj_solveM(&model, &data, data.qfrc_inverse, data.qfrc_inverse, 1);
+  for (int i = 0; i < model.nv; ++i) data.qacc[i] += data.qfrc_inverse[i];
+}
+
+std::array<double, 6> velocity_of(const mjModel& model, const mjData& data, int object, int id) {
+  std::array<double, 6> spatial{};  // angular, then linear
+  mj_objectVelocity(&model, &data, object, id, spatial.data(), 0);
+  return {spatial[3], spatial[4], spatial[5], spatial[0], spatial[1], spatial[2]};
+}
+
+// Calls visit(name, numbers, count) for everything that a step starts from. All else follows from it.
+template <typename Data, typename Visit>
+void visit_state(const mjModel& model, Data& data, Visit&& visit) {
+  visit("time", &data.time, 1);
+  visit("qpos", data.qpos, model.nq);
+  visit("qvel", data.qvel, model.nv);
+  visit("act", data.act, model.na);
+  visit("qacc_warmstart", data.qacc_warmstart, model.nv);
+  visit("ctrl", data.ctrl, model.nu);
+  visit("qfrc_applied", data.qfrc_applied, model.nv);
+  visit("xfrc_applied", data.xfrc_applied, 6 * model.nbody);
+  visit("mocap_pos", data.mocap_pos, 3 * model.nmocap);
+  visit("mocap_quat", data.mocap_quat, 4 * model.nmocap);
+  visit("userdata", data.userdata, model.nuserdata);
+  compat::visit_more_state(model, data, visit);
+}
+
+void clear(mjtNum* numbers, int count) { std::fill_n(numbers, count, 0.0); }
+
 }  // namespace
 
 Physics::Physics(ModelPtr model, const PhysicsOptions& options)
@@ -98,22 +136,6 @@ void Physics::step(int count, bool sensors) {
   if (complaint.failed) fail_world(complaint.error.data());
   check_divergence();
 }
-
-namespace {
-
-// The accelerations that end a step with these velocities. Those of joints with damping are damped at its end: what
-// they had before is M a = (M + h B) (v' - v) / h.
-void set_accelerations(const mjModel& model, mjData& data, const double* velocities) {
-  const double step = model.opt.timestep;
-  for (int i = 0; i < model.nv; ++i) {
-    data.qacc[i] = (velocities[i] - data.qvel[i]) / step;
-    data.qfrc_inverse[i] = step * model.dof_damping[i] * data.qacc[i];
-  }
-  mj_solveM(&model, &data, data.qfrc_inverse, data.qfrc_inverse, 1);
-  for (int i = 0; i < model.nv; ++i) data.qacc[i] += data.qfrc_inverse[i];
-}
-
-}  // namespace
 
 void Physics::follow(const double* positions, double* forces, bool sensors) {
   require_usable();
@@ -245,16 +267,6 @@ std::array<double, 6> contact_force(const mjModel& model, const mjData& data, in
   return force;
 }
 
-namespace {
-
-std::array<double, 6> velocity_of(const mjModel& model, const mjData& data, int object, int id) {
-  std::array<double, 6> spatial{};  // angular, then linear
-  mj_objectVelocity(&model, &data, object, id, spatial.data(), 0);
-  return {spatial[3], spatial[4], spatial[5], spatial[0], spatial[1], spatial[2]};
-}
-
-}  // namespace
-
 std::array<double, 6> body_velocity(const mjModel& model, const mjData& data, int body) {
   return velocity_of(model, data, mjOBJ_XBODY, body);
 }
@@ -270,5 +282,45 @@ std::array<double, 4> quaternion(const double* matrix) {
 }
 
 const char* mujoco_version() { return mj_versionString(); }
+
+// Physics::save and load.
+
+void Physics::save(ByteWriter& to) const {
+  visit_state(model_, *data_, [&to](const char*, const mjtNum* numbers, int count) {
+    to.put(Span<const double>(numbers, static_cast<std::size_t>(count)));
+  });
+}
+
+void Physics::check(ByteReader& from) const {
+  visit_state(model_, *data_, [&from](const char* name, const mjtNum*, int count) {
+    for (int i = 0; i < count; ++i) from.take_finite(name);
+  });
+}
+
+void Physics::load(ByteReader& from) {
+  // A step that broke off in the middle leaves its marks everywhere.
+  if (failed_) run([this] { mj_resetData(&model_, data_.get()); });
+  failed_ = false;
+  visit_state(model_, *data_, [&from](const char*, mjtNum* numbers, int count) {
+    from.take(Span<double>(numbers, static_cast<std::size_t>(count)));
+  });
+  update_poses();
+  run([this] { mj_comVel(&model_, data_.get()); });
+  forget_derived();
+}
+
+// What senses and named access could read of the time before: nothing of it may show through.
+void Physics::forget_derived() {
+  mjData& data = *data_;
+  data.ne = data.nf = data.nefc = data.ncon = 0;
+  clear(data.qacc, model_.nv);
+  clear(data.sensordata, model_.nsensordata);
+  clear(data.actuator_force, model_.nu);
+  clear(data.cacc, 6 * model_.nbody);
+  clear(data.cfrc_int, 6 * model_.nbody);
+  clear(data.cfrc_ext, 6 * model_.nbody);
+  std::fill(std::begin(data.warning), std::end(data.warning), mjWarningStat{});
+  warned_.fill(0);
+}
 
 }  // namespace mimo::engine

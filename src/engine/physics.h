@@ -13,9 +13,9 @@
 #include "base/bytes.h"
 #include "base/span.h"
 #include "engine/guard.h"
+#include "engine/hooks.h"
 #include "engine/model.h"
 #include "engine/overrides.h"
-#include "engine/warnings.h"
 #include "mimo/experimental/engine.h"
 
 namespace mimo::engine {

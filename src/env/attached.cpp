@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/bits.h"
 #include "base/fail.h"
-#include "engine/fingerprint.h"
-#include "env/nerves.h"
-#include "env/sounds.h"
-#include "env/things.h"
+#include "base/numbers.h"
+#include "engine/model.h"
+#include "env/perception.h"
+#include "env/surroundings.h"
+#include "senses/hearing/soundscape.h"
 #include "senses/fusimotor_drives.h"
 
 namespace mimo::env {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "env/episode.h"
 #include "env/perception.h"
 #include "env/state.h"
+#include "env/step.h"
 #include "observation/limited_senses.h"
 #include "observation/observer.h"
 #include "render/renderer.h"

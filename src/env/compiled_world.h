@@ -1,4 +1,4 @@
-// All that worlds are made of, when a scene has been compiled for certain ages of its infants.
+// Everything that worlds are made of, when a scene has been compiled for certain ages of its infants.
 #pragma once
 
 #include <memory>

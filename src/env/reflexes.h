@@ -1,19 +1,90 @@
-// An infant's reflexes in a world: what sets them off is looked at after every physics step, and what they do is added
-// to the agent's commands before every one.
+// An infant's reflexes in a world: what sets them off is evaluated after every physics step; what they do is added to
+// the commands.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <vector>
 
-#include "actuation/additions.h"
+#include "actuation/actuation.h"
+#include "base/bytes.h"
+#include "body/body.h"
 #include "env/options.h"
 #include "env/perception.h"
-#include "env/stimuli.h"
-#include "observation/process.h"
-#include "observation/signals.h"
+#include "observation/sense.h"
 #include "reflexes/arc.h"
 #include "reflexes/pattern.h"
+#include "reflexes/table.h"
+#include "senses/touch/felt.h"
 
 namespace mimo::env {
+
+// What sets an infant's reflexes off, out of what physics knows: as shares of their thresholds. It needs none of the
+// infant's senses. Touches of its own body are none; of what stands still in the world it feels the load, not a touch.
+
+using Sides = std::array<double, reflexes::kSides>;
+
+class Stimuli {
+ public:
+  // At an age in months. Of reflexes that are not wanted nothing is found out.
+  Stimuli(const mjModel& model, const body::Body& body, double months, double tick,
+          const std::vector<reflexes::Reflex>& wanted);
+
+  // All has been as it is now for ever.
+  void rest(const mjModel& model, const mjData& data);
+  // A tick later.
+  void take_in(const mjModel& model, const mjData& data);
+
+  const Sides& of(reflexes::Reflex reflex) const { return shares_[static_cast<std::size_t>(reflex)]; }
+  // The weight on its feet, N.
+  const Sides& load() const { return load_; }
+
+  void save(ByteWriter& to) const;
+  void load(ByteReader& from);
+
+ private:
+  enum class Part { kNone, kHand, kFoot, kToes, kLowerLeg, kThigh, kHead };
+  struct Place {
+    Part part = Part::kNone;
+    std::size_t side = 0;
+    bool own = false;  // of the infant
+  };
+  using Vec3 = Eigen::Vector3d;
+
+  bool wants(reflexes::Reflex reflex) const { return wanted_[static_cast<std::size_t>(reflex)]; }
+  Sides& share(reflexes::Reflex reflex) { return shares_[static_cast<std::size_t>(reflex)]; }
+  void mark(const mjModel& model, const std::string& name, Part part, std::size_t side);
+  Place place_of(const engine::Meeting& met, std::size_t side) const;
+  void find_hands(const mjModel& model);
+  void find_legs(const mjModel& model);
+  void find_head(const mjModel& model);
+  void touch(const mjModel& model, const mjData& data);
+  void feel(const mjModel& model, const mjData& data, const senses::touch::Press& press);
+  void feel_hand(const mjData& data, const senses::touch::Press& press, std::size_t side);
+  void feel_foot(const mjModel& model, const mjData& data, const senses::touch::Press& press, const Place& place);
+  void feel_leg(const mjModel& model, const senses::touch::Press& press, const Place& place);
+  void feel_face(const mjData& data, const senses::touch::Press& press);
+  void turn_neck(const mjData& data);
+  void drop_head(const mjModel& model, const mjData& data);
+  void stand(const mjModel& model, const mjData& data);
+
+  std::string prefix_;
+  int root_, head_, trunk_ = -1;
+  std::array<bool, reflexes::kReflexes> wanted_{};
+  double withdrawal_;          // N, on the sole
+  double smoothed_, slow_;     // shares that the two filters of the otoliths' change take in with each tick
+  std::vector<Place> places_;  // by body of the model
+  std::array<int, reflexes::kSides> hand_{};     // bodies
+  std::array<Vec3, reflexes::kSides> palm_;      // where the palm looks, in the hand's frame
+  std::array<double, reflexes::kSides> ball_{};  // from there on the foot's ball begins, m along the foot
+  std::array<Vec3, reflexes::kSides> mouth_;     // its corners, from the head's middle; of length 1
+  Vec3 head_middle_ = Vec3::Zero();
+  int swivel_ = -1, tilt_ = -1;  // addresses in qpos and qvel
+
+  std::array<Sides, reflexes::kReflexes> shares_{};
+  Sides load_{};
+  Vec3 quick_ = Vec3::Zero(), lasting_ = Vec3::Zero();  // what the otoliths feel, smoothed; m/s^2, in the head
+};
 
 class Reflexes : public observation::Process {
  public:

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/bytes.h"
 #include "base/fail.h"
-#include "base/hash.h"
 
 namespace mimo::env {
 namespace {

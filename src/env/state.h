@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/section.h"
+#include "base/bytes.h"
 #include "base/span.h"
 
 namespace mimo::env {

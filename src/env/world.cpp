@@ -5,17 +5,14 @@
 #include <limits>
 
 #include "base/fail.h"
-#include "base/finite.h"
 #include "base/names.h"
-#include "base/stopwatch.h"
-#include "body/stored_pose.h"
-#include "engine/custom.h"
-#include "engine/fingerprint.h"
-#include "engine/joints.h"
-#include "env/nerves.h"
+#include "body/body.h"
+#include "engine/model.h"
+#include "engine/present.h"
+#include "env/perception.h"
 #include "env/reflexes.h"
-#include "env/sounds.h"
-#include "env/things.h"
+#include "env/surroundings.h"
+#include "senses/hearing/soundscape.h"
 #include "senses/fusimotor_drives.h"
 #include "sound/vocal.h"
 
@@ -36,6 +33,10 @@ class Flag {
  private:
   bool& flag_;
 };
+
+body::Eyes eyes_of(const World& world, std::size_t agent) {
+  return body::Eyes(world.model(), world.agents()[agent].body);
+}
 
 }  // namespace
 
@@ -268,11 +269,11 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
 }
 
 void World::go(Span<const float> actions, std::uint8_t* block, const Results& results) {
-  const Stopwatch total(options_.timing, timing_.total);
+  const observation::Stopwatch total(options_.timing, timing_.total);
   act(actions);
   advance([this](int done, bool sensors) {
     let_arrive(ticks() + static_cast<std::uint64_t>(done));
-    const Stopwatch watch(options_.timing, timing_.physics);
+    const observation::Stopwatch watch(options_.timing, timing_.physics);
     step_once(sensors);
   });
   const bool senses_first = judges_senses();
@@ -307,12 +308,12 @@ void World::follow(Span<const double> positions, Span<double> forces, std::uint8
   if (model().opt.integrator != mjINT_EULER) {
     fail(Status::kUnsupported, "movements are followed in models with MuJoCo's integrator Euler only");
   }
-  const Stopwatch total(options_.timing, timing_.total);
+  const observation::Stopwatch total(options_.timing, timing_.total);
   ++changes_;
   const auto nq = static_cast<std::size_t>(model().nq), nv = static_cast<std::size_t>(model().nv);
   advance([&](int done, bool sensors) {
     const auto number = static_cast<std::size_t>(done);
-    const Stopwatch watch(options_.timing, timing_.physics);
+    const observation::Stopwatch watch(options_.timing, timing_.physics);
     physics_.follow(positions.data() + number * nq, forces.empty() ? nullptr : forces.data() + number * nv, sensors);
     if (step_contacts_.wanted()) step_contacts_.add(physics_);
   });
@@ -500,6 +501,22 @@ void World::report_warnings() {
   for (const engine::Note& note : physics_.take_warnings()) {
     services_.log({LogLevel::kWarning, note.text, static_cast<int>(note.kind), true, number_, data().time});
   }
+}
+
+body::Gaze gaze(const World& world, std::size_t agent) { return eyes_of(world, agent).gaze(world.data()); }
+
+body::Look look(const World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {
+  const body::Eyes eyes = eyes_of(world, agent);
+  engine::Present present;
+  return eyes.look_at(world.model(), present.of(world.physics()), point, turn_head);
+}
+
+body::Look look_at(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head) {
+  body::Look wanted = look(world, agent, point, turn_head);
+  engine::Physics& physics = world.physics();
+  for (const body::JointAngle& joint : wanted.angles) physics.data().qpos[joint.qpos] = joint.angle;
+  physics.update_poses();
+  return wanted;
 }
 
 }  // namespace mimo::env

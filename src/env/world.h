@@ -5,21 +5,21 @@
 #include <vector>
 
 #include "base/random.h"
+#include "body/face.h"
 #include "engine/physics.h"
 #include "engine/present.h"
-#include "env/agent.h"
 #include "env/compiled_world.h"
-#include "env/episode.h"
+#include "env/perception.h"
 #include "env/state.h"
-#include "env/step_contacts.h"
-#include "env/step_observer.h"
-#include "env/timing.h"
+#include "env/step.h"
 #include "observation/observer.h"
-#include "render/viewpoint.h"
+#include "render/renderer.h"
 
 namespace mimo::senses {
+
 class Soundscape;
-}
+
+}  // namespace mimo::senses
 
 namespace mimo::env {
 
@@ -189,5 +189,14 @@ class World {
   std::shared_ptr<StepObserver> step_observer_;
   std::uint64_t changes_ = 0;
 };
+
+// Where an agent's eyes look, and making them look at a point.
+
+// All throw what body::Eyes does where the agent has no such eyes.
+body::Gaze gaze(const World& world, std::size_t agent);
+// What looking at a point takes, from the pose that the world is in now.
+body::Look look(const World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head);
+// The same, and the joints take their angles.
+body::Look look_at(World& world, std::size_t agent, const Eigen::Vector3d& point, bool turn_head);
 
 }  // namespace mimo::env

@@ -1,5 +1,5 @@
 // What a world's state consists of.
-#include "base/hash.h"
+#include "base/bytes.h"
 #include "env/world.h"
 
 namespace mimo::env {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compat/mujoco.h"
-#include "geometry/welder.h"
+#include "geometry/mesh.h"
 
 namespace mimo::geometry {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/span.h"
 #include "geometry/mesh.h"
 #include "mimo/experimental/looks.h"
-#include "render/texture_mapping.h"
+#include "render/surfaces.h"
 
 namespace mimo::geometry {
 

@@ -3,6 +3,9 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "growth/joints.h"
+#include "growth/original/original.h"
+#include "growth/sizes.h"
 
 namespace mimo::growth {
 namespace {
@@ -42,6 +45,17 @@ void check(const Growth& growth) {
   check_range("birth_tone", growth.birth_tone, 0.1, 10, "");
   check_range("contracture", growth.contracture, 0, 1, "");
   if (growth.model == Model::kOriginal) check_original(growth);
+}
+
+Skeleton grown(const Skeleton& base, const Growth& growth) {
+  check(growth);
+  if (growth.model == Model::kOriginal) return grown_as_original(base, growth.age);
+  Skeleton body = fit(base, growth).skeleton;
+  strengthen(body, base, growth);
+  spread_mass(body, growth.age);
+  limit(body, growth);
+  set_tone(body, base, growth);
+  return body;
 }
 
 }  // namespace mimo::growth

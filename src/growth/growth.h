@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "growth/skeleton.h"
 #include "mimo/experimental/maturity.h"
 
 namespace mimo::growth {
@@ -15,7 +16,8 @@ enum class Sex : std::int32_t { kMean = MIMO_SEX_MEAN, kFemale = MIMO_SEX_FEMALE
 // who compare.
 enum class Model : std::int32_t { kWho = MIMO_GROWTH_WHO, kOriginal = MIMO_GROWTH_ORIGINAL };
 
-constexpr double kOldest = 24;  // months
+constexpr double kBaseAge = 18;  // months, of the built-in bodies
+constexpr double kOldest = 24;   // months
 constexpr double kMostZ = 3;
 
 struct Growth {
@@ -88,5 +90,13 @@ inline bool operator!=(const Growth& a, const Growth& b) { return !(a == b); }
 
 // Throws Status::kInvalidArgument for a number that is out of its range, naming it as mimo_growth does.
 void check(const Growth& growth);
+
+// Makes the body of 18 months one of another age.
+
+// By the WHO's model the body at 18 months, mean of the sexes, median in everything, is the base itself, to the last
+// bit. Nothing but numbers differs: bones, geoms, joints, marks and motors stay in their order. Throws
+// Status::kInvalidArgument for a combination that no infant can have, and Status::kUnsupported for a body that is none
+// of ours.
+Skeleton grown(const Skeleton& base, const Growth& growth);
 
 }  // namespace mimo::growth

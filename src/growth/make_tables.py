@@ -23,7 +23,7 @@ def table(rows, measure, sex, name):
 def main():
     with SOURCE.open() as stream:
         rows = list(csv.DictReader(stream))
-    text = ["// Made by make_tables.py. Do not edit.", '#include "growth/who_tables.h"', "", "namespace mimo::growth {", ""]
+    text = ["// Made by make_tables.py. Do not edit.", '#include "growth/who.h"', "", "namespace mimo::growth {", ""]
     for measure, name in MEASURES:
         text += [table(rows, measure, sex, name + suffix) + "\n" for sex, suffix in SEXES]
     text += ["}  // namespace mimo::growth", ""]

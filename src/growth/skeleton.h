@@ -1,8 +1,9 @@
-// An infant's body in numbers, as documents hold it: what growth changes.
+// An infant's body in numbers, as documents hold it: what growth changes. Its parts are found by name.
 #pragma once
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mimo::growth {
@@ -60,5 +61,46 @@ struct Skeleton {
   std::vector<Bone> bones;
   std::vector<Motor> motors;
 };
+
+// A skeleton's parts by name.
+
+// Names without what says which side they are on: "left_hand" is a "hand".
+std::string_view without_side(std::string_view name);
+// The same without "robot:" or "act:" before it.
+std::string_view plain_name(std::string_view name);
+// "left_", "right_" or "": which side a bone, joint or motor is on.
+std::string side_of(std::string_view name);
+
+class Parts {
+ public:
+  explicit Parts(Skeleton& skeleton) : skeleton_(&skeleton) {}
+
+  // Throw Status::kUnsupported where there is none: the body is none of ours.
+  Bone& bone(std::string_view name) const;
+  Geom& geom(std::string_view name) const;
+  Joint& joint(std::string_view name) const;
+  Mark& mark(std::string_view name) const;
+
+  bool has_bone(std::string_view name) const;
+
+ private:
+  Skeleton* skeleton_;
+};
+
+// The same to look at.
+const Bone& bone(const Skeleton& skeleton, std::string_view name);
+const Geom& geom(const Skeleton& skeleton, std::string_view name);
+
+double total_mass(const Skeleton& skeleton);  // kg
+
+// Which part of the infant a bone belongs to: what shares one set of factors.
+
+enum class Segment { kTrunk, kHead, kUpperArm, kForearm, kHand, kThigh, kShank, kFoot };
+
+// Throws Status::kUnsupported for a body that is none of ours.
+Segment segment_of(std::string_view bone);
+
+// Of arms and legs, but for hands and feet: bones that are as long as a capsule without its round ends.
+bool is_limb(Segment segment);
 
 }  // namespace mimo::growth

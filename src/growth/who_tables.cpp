@@ -1,5 +1,5 @@
 // Made by make_tables.py. Do not edit.
-#include "growth/who_tables.h"
+#include "growth/who.h"
 
 namespace mimo::growth {
 

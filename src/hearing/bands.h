@@ -1,13 +1,40 @@
-// What is heard of a stretch of sound: levels in bands as wide as those of ears, and which ear it reached first.
+// What is heard of a stretch of sound: its spectrum, levels in bands as wide as an ear's, and which ear it reached
+// first.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
-#include "hearing/head.h"
-#include "hearing/spectrum.h"
+#include "hearing/ears.h"
 
 namespace mimo::hearing {
+
+// The spectrum of a stretch of sound.
+
+constexpr std::size_t kWindow = 512;  // samples: 32 ms at 16 kHz
+constexpr std::size_t kBins = kWindow / 2;
+
+// Complex numbers with their parts apart, as vectors of a processor want them.
+struct Complexes {
+  std::array<float, kBins> real, imag;
+};
+
+// Discrete Fourier transform of kWindow real numbers as one of half as many complex ones: by quarters (Cooley and Tukey
+// 1965), each pass in the order that the next one reads in rows (Stockham).
+class Transform {
+ public:
+  Transform();
+  // Without the bin of half the rate.
+  Complexes operator()(const std::array<float, kWindow>& samples) const;
+
+ private:
+  template <std::size_t kGroup>
+  void quarter(const Complexes& from, Complexes& to) const;
+
+  std::array<Complexes, 4> turns_;  // exp(-2 pi i k p / kBins) for k = 0 to 3
+  Complexes half_turns_;            // exp(-2 pi i p / kWindow)
+};
 
 constexpr std::size_t kBands = 24;
 using Levels = std::array<double, kBands>;

@@ -1,10 +1,14 @@
-// What reaches two ears, as a stream of samples: blows, and what is played around.
+// The samples that reach the two ears of a head: impacts, and what is played around.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "hearing/heard_impact.h"
 #include "sound/queue.h"
+#include "sound/sphere.h"
 
 namespace mimo::hearing {
 

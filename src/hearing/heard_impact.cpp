@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "sound/air.h"
 
 namespace mimo::hearing {
@@ -17,6 +17,23 @@ constexpr double kInaudible = sound::kReference / 2;  // Pa, of a mode: -6 dB, b
 constexpr double kTail = 64;                          // samples after which a filter is done with a click
 
 }  // namespace
+
+std::array<Eigen::Vector3d, kEars> ears_of_frame() {
+  constexpr double kAzimuth = 100 * kDegree;
+  const double forward = std::cos(kAzimuth), aside = std::sin(kAzimuth);
+  return {Eigen::Vector3d(forward, aside, 0), Eigen::Vector3d(forward, -aside, 0)};
+}
+
+Ways ways_to(const Head& head, const Eigen::Vector3d& place) {
+  const Eigen::Vector3d to = place - head.middle;
+  const double distance = to.norm();
+  Ways ways;
+  for (std::size_t ear = 0; ear < kEars; ++ear) {
+    const double cosine = distance > 0 ? head.ears[ear].dot(to) / distance : 0;
+    ways[ear] = sound::way_to_ear(head.radius, distance, cosine);
+  }
+  return ways;
+}
 
 Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), click_(blow.click), ways_(ways) {
   double end = 0;

@@ -1,16 +1,35 @@
-// One blow as two ears hear it. It follows from its beginning alone, so that there is little to remember, and no error
-// grows.
+// A head with two ears, and one impact as they hear it. It follows from its beginning alone, so that there is little to
+// remember, and no error grows.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "base/bytes.h"
 #include "base/span.h"
-#include "hearing/head.h"
-#include "sound/ringing.h"
-#include "sound/strike.h"
+#include "sound/impact.h"
+#include "sound/sphere.h"
 
 namespace mimo::hearing {
+
+// A head that hears: a ball with an ear on each side.
+
+constexpr std::size_t kEars = 2;  // left, right
+using Ways = std::array<sound::Way, kEars>;
+
+// Where a head is, in the world.
+struct Head {
+  double radius = 0;                        // m
+  Eigen::Vector3d middle;                   // of the ball
+  std::array<Eigen::Vector3d, kEars> ears;  // from there, of length 1
+};
+
+// Of an infant's head that looks along x of its frame, with z up: ears lie 100 degrees to both sides, as in adults.
+std::array<Eigen::Vector3d, kEars> ears_of_frame();
+
+Ways ways_to(const Head& head, const Eigen::Vector3d& place);
 
 // What a blow sends out.
 struct Blow {

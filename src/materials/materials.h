@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sound/solid.h"
+#include "sound/impact.h"
 
 namespace mimo::materials {
 

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
-#include "programs/angles.h"
 #include "programs/csv.h"
-#include "programs/failure.h"
 #include "programs/joints.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 #include "programs/text.h"
-#include "programs/world_summary.h"
 
 namespace cli {
 namespace {
@@ -130,6 +130,12 @@ BodyTrack track_of(const std::string& path, const mimo::Env& env, std::int32_t b
 }
 
 }  // namespace
+
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation) {
+  const double sine = rotation.vec().norm();
+  const double angle = 2 * std::atan2(sine, rotation.w());
+  return (sine < 1e-12 ? 2 : (angle > kPi ? angle - 2 * kPi : angle) / sine) * rotation.vec();
+}
 
 std::string body_names(const mimo::Env& env) {
   std::string names;

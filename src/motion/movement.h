@@ -10,6 +10,11 @@
 
 namespace cli {
 
+// Rotations as an axis times its angle, rad.
+
+// The shorter way round; by the sine where angles are small, as the cosine of those tells nothing.
+Eigen::Vector3d rotation_vector(const Eigen::Quaterniond& rotation);
+
 constexpr double kLeastRowSeconds = 1e-6;  // from row to row: what moves in less is a slip of the unit
 
 struct JointTrack {

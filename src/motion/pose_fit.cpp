@@ -1,5 +1,3 @@
-#include "motion/pose_fit.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
@@ -8,9 +6,10 @@
 #include <limits>
 #include <set>
 
-#include "motion/rotation.h"
+#include "motion/movement.h"
+#include "motion/retarget.h"
 #include "programs/joints.h"
-#include "programs/progress.h"
+#include "programs/program.h"
 
 namespace cli {
 namespace {

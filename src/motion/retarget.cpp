@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "motion/bvh.h"
-#include "motion/skeleton_names.h"
 #include "programs/csv.h"
-#include "programs/failure.h"
 #include "programs/joints.h"
-#include "programs/world_summary.h"
+#include "programs/program.h"
+#include "programs/summary.h"
 
 namespace cli {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/delay.h"
-#include "base/hash.h"
+#include "base/bytes.h"
+#include "base/numbers.h"
 
 namespace mimo::observation {
 

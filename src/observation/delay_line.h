@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/section.h"
+#include "base/bytes.h"
 #include "base/span.h"
 #include "observation/field.h"
 

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
 #include "base/fail.h"
-#include "base/length.h"
-#include "observation/gaussian.h"
+#include "base/numbers.h"
+#include "observation/blur.h"
 
 namespace mimo::observation {
 namespace {

@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "observation/bands.h"
-#include "observation/light.h"
-#include "observation/smoother.h"
+#include "observation/blur.h"
+#include "observation/contrast.h"
 
 namespace mimo::observation {
 

@@ -1,15 +1,43 @@
-// A field: one of the arrays that an observation consists of.
+// A field is one of the arrays that an observation consists of. A field of the skin has receptors.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "base/span.h"
 #include "mimo/observation.h"
-#include "observation/receptor.h"
 
 namespace mimo::observation {
+
+// Receptors: the places in a skin on which a field reports.
+
+struct Receptor {
+  int body;
+  int geom;
+  Eigen::Vector3d position;  // body frame, m
+  Eigen::Matrix3d frame;     // rows, body frame: outward normal, first tangent, second tangent
+
+  auto normal() const { return frame.row(0).transpose(); }
+};
+
+// Of the header.
+enum class ReceptorQuantity : mimo_quantity {
+  kBody = MIMO_RECEPTOR_BODY,
+  kGeom = MIMO_RECEPTOR_GEOM,
+  kPosition = MIMO_RECEPTOR_POSITION,
+  kFrame = MIMO_RECEPTOR_FRAME,
+};
+
+const char* constant(ReceptorQuantity quantity);  // "MIMO_RECEPTOR_POSITION"
+// How many numbers one receptor has of it.
+std::size_t width(ReceptorQuantity quantity);
+// Of all, one after the other.
+void read(Span<const Receptor> receptors, ReceptorQuantity quantity, double* values);
+
+// A field: one of the arrays that an observation consists of.
 
 enum class Type : std::int32_t { kU8 = MIMO_U8, kI32 = MIMO_I32, kF32 = MIMO_F32, kF64 = MIMO_F64 };
 enum class Time : int { kEnd = 1, kLastStart = 2 };

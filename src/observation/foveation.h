@@ -1,14 +1,53 @@
 // Pictures that show their middle large and their rim small, as an eye's fovea does.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "observation/foveal_map.h"
-#include "observation/light.h"
+#include "observation/contrast.h"
+#include "observation/field.h"
 
 namespace mimo::observation {
+
+// Where the pixels of a foveated picture lie: its middle is large, its rim small, as an eye's fovea has it.
+
+// What lies r pixels from the middle of the foveated picture is in the plain one R ((1 + strength)^(r / R) - 1) /
+// strength from it, R being how far the corners are. The middle gets strength / ln(1 + strength) times as large: 4.2
+// times for 10.
+class FovealMap {
+ public:
+  // `focal`: how far the plain picture is from the eye, in pixels. Strengths are 0, where both are alike, or above.
+  FovealMap(std::size_t height, std::size_t width, double focal, double strength);
+
+  // Places are counted from the middle of the first pixel on, x to the right, y down.
+  using Place = std::array<double, 2>;
+  // As a vector of length 1: x right, y up, z back.
+  std::array<double, 3> direction(Place foveated) const;
+  // Of a direction, maybe beyond the picture's edges; none where it does not point forwards.
+  std::optional<Place> place(const std::array<double, 3>& direction) const;
+  Place plain(Place foveated) const;
+  Place foveated(Place plain) const;
+
+  // How many plain pixels one is wide, r pixels from the middle.
+  double shrinkage(double r) const;
+  // Pixels from the middle to the corners.
+  double corner() const { return corner_; }
+  double distance(Place place) const;  // from the middle
+
+ private:
+  bool even() const { return strength_ <= 0 || corner_ == 0; }
+  Place scaled(Place place, double factor) const;
+
+  double strength_;
+  double middle_x_, middle_y_, corner_;  // pixels
+  double focal_;                         // pixels
+};
+
+// Of a picture that is a field.
+FovealMap map_of(const Field& picture);
 
 // It has no more detail than the plain picture had.
 class Foveation {

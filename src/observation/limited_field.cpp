@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "base/angle.h"
+#include "base/bytes.h"
 #include "base/fail.h"
-#include "base/hash.h"
-#include "base/noise.h"
+#include "base/numbers.h"
+#include "base/random.h"
 
 namespace mimo::observation {
 namespace {

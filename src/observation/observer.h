@@ -1,14 +1,36 @@
-// All that is sensed of one model, laid out in one block: by a world of its own, or of somebody else's simulation.
+// Everything that is sensed of one model, laid out in one block: for a world, or for senses attached to a host's
+// simulation.
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "observation/layout.h"
+#include "observation/field.h"
 #include "observation/sense.h"
 
 namespace mimo::observation {
+
+// The observation block: fields of all agents, one after the other, each at a multiple of 64 bytes.
+
+class Layout {
+ public:
+  // Places a field; its offset is set. The sense that owns it must outlive the layout.
+  void add(Field& field);
+
+  std::size_t bytes() const { return bytes_; }
+  std::size_t size() const { return fields_.size(); }
+  const Field& operator[](std::size_t i) const { return *fields_[i]; }
+  // Fills the gaps between the fields, so that every byte of a block is written.
+  void clear_gaps(std::uint8_t* block) const;
+
+ private:
+  std::vector<const Field*> fields_;
+  std::size_t bytes_ = 0;
+};
+
+// All that is sensed of one model, laid out in one block: by a world of its own, or of somebody else's simulation.
 
 using ShareTimes = std::array<double, kShares>;  // seconds, by Share
 

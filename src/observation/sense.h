@@ -1,19 +1,74 @@
 // A sense declares its fields and fills them. It never writes to the simulation.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "base/bytes.h"
 #include "observation/field.h"
-#include "observation/process.h"
+
+typedef struct mjModel_ mjModel;
+typedef struct mjData_ mjData;
 
 namespace mimo::observation {
+
+// What of a sense goes on by itself between looks: receptors that adapt, skin that cools. It goes on with every physics
+// step, whether anybody looks or not, so that what is sensed depends on neither.
+class Process {
+ public:
+  // The name is that of its memory in states; the agent's name goes before it.
+  explicit Process(std::string name) : name_(std::move(name)) {}
+  virtual ~Process() = default;
+  void belong_to(const std::string& prefix) { name_ = prefix + name_; }
+
+  // An episode starts: all has been as it is now for ever.
+  void begin(const mjModel& model, const mjData& data);
+  // A tick later. Who was never told of a beginning begins here.
+  void advance(const mjModel& model, const mjData& data);
+
+  // What it remembers. This object outlives it and stays where it is.
+  Section section();
+
+ protected:
+  // False from when its memory was lost until the next tick, with which it begins anew.
+  bool begun() const { return begun_; }
+
+ private:
+  virtual void rest(const mjModel& model, const mjData& data) = 0;
+  virtual void go_on(const mjModel& model, const mjData& data) = 0;
+  // Always the same number of bytes. A load that throws may leave it half loaded.
+  virtual void save(ByteWriter& to) const = 0;
+  virtual void load(ByteReader& from) = 0;
+
+  std::string name_;
+  bool begun_ = false;
+};
 
 // The share of a step's time that a sense counts for.
 enum class Share { kTouch, kVision, kProprioception, kVestibular, kHearing, kTask, kRequest };
 constexpr std::size_t kShares = 7;
+
+// Adds the seconds of its own life to a sum; does nothing when switched off.
+class Stopwatch {
+ public:
+  Stopwatch(bool on, double& sum) : sum_(on ? &sum : nullptr) {
+    if (sum_ != nullptr) start_ = std::chrono::steady_clock::now();
+  }
+  ~Stopwatch() {
+    if (sum_ != nullptr) *sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double* sum_;
+  std::chrono::steady_clock::time_point start_;
+};
 
 class Sense {
  public:
@@ -40,6 +95,26 @@ class Sense {
 
  private:
   std::vector<std::unique_ptr<Process>> processes_;
+};
+
+// Senses made of signals: fields of numbers, each with the function that fills it.
+
+struct Signal {
+  Field field;  // of float
+  // Fills all of the field.
+  std::function<void(const mjModel& model, const mjData& data, float* out)> write;
+};
+
+class Signals : public Sense {
+ public:
+  // A signal without any numbers is left out.
+  Signals(Share share, std::vector<Signal> signals);
+  Share share() const override { return share_; }
+  void write(const mjModel& model, const mjData& data, std::uint8_t* block) override;
+
+ private:
+  Share share_;
+  std::vector<decltype(Signal::write)> writers_;  // one per field
 };
 
 }  // namespace mimo::observation

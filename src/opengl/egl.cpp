@@ -8,7 +8,6 @@
 
 #include "opengl/context.h"
 #include "opengl/loaded_library.h"
-#include "opengl/platform.h"
 #include "opengl/renderer.h"
 
 namespace mimo::opengl {

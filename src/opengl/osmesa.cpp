@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "opengl/exit_handlers.h"
 #include "opengl/loaded_library.h"
 #include "opengl/renderer.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "opengl/platform.h"
+#include "opengl/context.h"
 
 namespace mimo::opengl {
 

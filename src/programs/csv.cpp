@@ -8,8 +8,8 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "programs/failure.h"
 #include "programs/files.h"
+#include "programs/program.h"
 #include "programs/text.h"
 
 namespace cli {

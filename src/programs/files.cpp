@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <random>
 
-#include "programs/failure.h"
+#include "programs/program.h"
 #include "programs/text.h"
 
 namespace fs = std::filesystem;

@@ -1,13 +1,21 @@
-// Where joints lie among the positions and velocities of a world.
+// Joints and actions of a world: where joints lie in its state, and random actions.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mimo/mimo.hpp>
+#include <random>
 #include <vector>
 
 namespace cli {
+
+// Angles are radians; people say degrees.
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180;
+
+// Where joints lie among the positions and velocities of a world.
 
 // Parts of a pose as tables call them; a ball's are the last four.
 constexpr std::array<const char*, 7> kPoseParts = {"x", "y", "z", "qw", "qx", "qy", "qz"};
@@ -23,5 +31,21 @@ struct Joint {
 };
 
 std::vector<Joint> joints_of(const mimo::Env& env);
+
+// Actions drawn uniformly between their bounds, the same everywhere for the same seed.
+
+class RandomActions {
+ public:
+  RandomActions(const mimo::Env& env, std::uint64_t seed);
+  std::vector<float> draw();
+
+ private:
+  struct Bounds {
+    double low, high;
+  };
+
+  std::mt19937_64 generator_;
+  std::vector<Bounds> bounds_;
+};
 
 }  // namespace cli

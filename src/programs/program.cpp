@@ -1,12 +1,15 @@
 #include "programs/program.h"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <mimo/mimo.hpp>
+#include <string>
 
-#include "programs/failure.h"
 #include "programs/text.h"
 
 namespace cli {
@@ -30,6 +33,9 @@ void flush_output() {
 std::string version_text(const CLI::App& program) {
   return program.get_name() + " " + mimo_version() + " (MuJoCo " + mimo_mujoco_version() + ")";
 }
+
+constexpr std::size_t kWidth = 40;
+constexpr auto kInterval = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -61,6 +67,24 @@ int run_program(CLI::App& program, const std::function<void()>& describe, const 
   } catch (const std::exception& error) {
     return complain(program, error.what(), kFailed);
   }
+}
+
+Progress::Progress(std::size_t total) : total_(std::max<std::size_t>(total, 1)), visible_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+  if (visible_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::show(std::size_t done) {
+  if (!visible_) return;
+  const auto now = Clock::now();
+  if (now < next_ && done < total_) return;
+  next_ = now + kInterval;
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  const double left = done == 0 ? 0 : elapsed * static_cast<double>(total_ - done) / static_cast<double>(done);
+  const std::size_t filled = kWidth * done / total_;
+  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+  std::fprintf(stderr, "\r[%s] %3zu %%  %.0f s left \033[K", bar.c_str(), 100 * done / total_, left);
 }
 
 }  // namespace cli

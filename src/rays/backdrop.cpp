@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "render/renderer.h"
 
 namespace mimo::rays {

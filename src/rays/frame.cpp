@@ -1,6 +1,5 @@
 #include "rays/frame.h"
 
-#include "rays/assets.h"
 #include "render/renderer.h"
 
 namespace mimo::rays {

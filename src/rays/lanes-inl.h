@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdint>
 
-#include "rays/grid.h"
+#include "rays/kernels.h"
 #include "rays/materials.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "compat/mujoco.h"
 
 namespace mimo::rays {

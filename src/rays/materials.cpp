@@ -2,11 +2,163 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/fail.h"
+#include "compat/mujoco.h"
 #include "rays/vectors.h"
-#include "render/paint.h"
+#include "render/surfaces.h"
 
 namespace mimo::rays {
+namespace {
+
+std::uint32_t channel(std::uint32_t texel, int k) { return (texel >> (8 * k)) & 255U; }
+
+// One level of a texture, or of a face of a cube: the texels within its border.
+class Level {
+ public:
+  Level(std::uint32_t* origin, int width, int height) : origin_(origin), width_(width), height_(height) {}
+
+  std::uint32_t& at(int x, int y) const { return origin_[static_cast<std::ptrdiff_t>(y) * (width_ + 2) + x]; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  // Pixels of so many bytes, row by row.
+  template <int kChannels>
+  void read(const unsigned char* from) const {
+    const int green = compat::channel_of(kChannels, 1), blue = compat::channel_of(kChannels, 2);
+    for (int y = 0; y < height_; ++y) {
+      std::uint32_t* row = &at(0, y);
+      for (int x = 0; x < width_; ++x, from += kChannels) {
+        row[x] = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[green]) << 8 |
+                 static_cast<std::uint32_t>(from[blue]) << 16;
+      }
+    }
+  }
+  void read(const unsigned char* from, int channels) const {
+    switch (channels) {
+      case 1: return read<1>(from);
+      case 2: return read<2>(from);
+      case 3: return read<3>(from);
+      default: return read<4>(from);
+    }
+  }
+
+  // Each texel becomes the mean of the larger level's texels that it covers: two a side, or three at an odd edge.
+  void shrink(const Level& from) const {
+    if (from.width_ == 2 * width_ && from.height_ == 2 * height_) return halve(from);
+    for (int y = 0; y < height_; ++y) {
+      const int y0 = y * from.height_ / height_;
+      const int y1 = std::max(y0 + 1, (y + 1) * from.height_ / height_);
+      for (int x = 0; x < width_; ++x) {
+        const int x0 = x * from.width_ / width_;
+        const int x1 = std::max(x0 + 1, (x + 1) * from.width_ / width_);
+        std::uint32_t sum[3] = {0, 0, 0};
+        for (int v = y0; v < y1; ++v) {
+          for (int u = x0; u < x1; ++u) {
+            for (int k = 0; k < 3; ++k) sum[k] += channel(from.at(u, v), k);
+          }
+        }
+        const std::uint32_t count = static_cast<std::uint32_t>((y1 - y0) * (x1 - x0));
+        std::uint32_t texel = 0;
+        for (int k = 0; k < 3; ++k) texel |= ((sum[k] + count / 2) / count) << (8 * k);
+        at(x, y) = texel;
+      }
+    }
+  }
+
+  void fill_border(bool wrap) const {
+    const auto inside = [wrap](int i, int size) { return wrap ? (i + size) % size : std::clamp(i, 0, size - 1); };
+    const auto fill = [&](int x, int y) { at(x, y) = at(inside(x, width_), inside(y, height_)); };
+    for (int x = -1; x <= width_; ++x) {
+      fill(x, -1);
+      fill(x, height_);
+    }
+    for (int y = 0; y < height_; ++y) {
+      fill(-1, y);
+      fill(width_, y);
+    }
+  }
+
+ private:
+  // The same where each texel covers four: red and blue are added in one word, green in another.
+  void halve(const Level& from) const {
+    constexpr std::uint32_t kRedBlue = 0xff00ff, kGreen = 0xff;
+    for (int y = 0; y < height_; ++y) {
+      const std::uint32_t* upper = &from.at(0, 2 * y);
+      const std::uint32_t* lower = &from.at(0, 2 * y + 1);
+      std::uint32_t* to = &at(0, y);
+      for (int x = 0; x < width_; ++x, upper += 2, lower += 2) {
+        const std::uint32_t a = upper[0], b = upper[1], c = lower[0], d = lower[1];
+        const std::uint32_t red_blue = (a & kRedBlue) + (b & kRedBlue) + (c & kRedBlue) + (d & kRedBlue) + 0x20002;
+        const std::uint32_t green = (a >> 8 & kGreen) + (b >> 8 & kGreen) + (c >> 8 & kGreen) + (d >> 8 & kGreen) + 2;
+        to[x] = (red_blue >> 2 & kRedBlue) | (green >> 2 & kGreen) << 8;
+      }
+    }
+  }
+
+  std::uint32_t* origin_;
+  int width_, height_;
+};
+
+std::size_t bordered(int width, int height) {
+  return static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height + 2);
+}
+
+}  // namespace
+
+Textures::Textures(const mjModel& model) {
+  textures_.resize(static_cast<std::size_t>(model.ntex));
+  std::size_t size = 0;
+  for (int i = 0; i < model.ntex; ++i) {
+    Texture& texture = textures_[i];
+    texture.cube = model.tex_type[i] != mjTEXTURE_2D;
+    texture.sky = model.tex_type[i] == mjTEXTURE_SKYBOX;
+    texture.width = model.tex_width[i];
+    texture.height = texture.cube ? texture.width : model.tex_height[i];
+    for (int w = texture.width, h = texture.height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
+      texture.origin[texture.levels++] = static_cast<std::int32_t>(size) + w + 3;
+      size += bordered(w, h) * (texture.cube ? 6 : 1);
+      if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() / 4)) {
+        fail(Status::kUnsupported, "the model's textures are too large for the ray renderer");
+      }
+      if ((w == 1 && h == 1) || texture.levels == Texture::kMaxLevels) break;
+    }
+  }
+  texels_.resize(size + 1);  // texels are read in pairs
+  for (int i = 0; i < model.ntex; ++i) {
+    const Texture& texture = textures_[i];
+    const unsigned char* pixels = model.*compat::kPixels + model.tex_adr[i];
+    const int channels = compat::channels(model, i);
+    // A cube texture as high as wide is one picture for all six faces.
+    const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
+    for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
+      int width = texture.width;
+      int height = texture.height;
+      const auto level_at = [&](int level) {
+        return Level(texels_.data() + texture.origin[level] + face * bordered(width, height), width, height);
+      };
+      Level level = level_at(0);
+      const unsigned char* from =
+          pixels + (same_faces ? 0 : static_cast<std::size_t>(channels) * width * height * face);
+      level.read(from, channels);
+      level.fill_border(!texture.cube);
+      for (int k = 1; k < texture.levels; ++k) {
+        width = std::max(width / 2, 1);
+        height = std::max(height / 2, 1);
+        const Level next = level_at(k);
+        next.shrink(level);
+        next.fill_border(!texture.cube);
+        level = next;
+      }
+    }
+  }
+}
+
+const Texture* Textures::sky() const {
+  const auto found = std::find_if(textures_.begin(), textures_.end(), [](const Texture& t) { return t.sky; });
+  return found == textures_.end() ? nullptr : &*found;
+}
 
 Power power(double exponent) {
   Power p;

@@ -1,7 +1,13 @@
 #include "rays/meshes.h"
 
-#include "rays/mesh_builder.h"
-#include "render/triangles.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "base/fail.h"
+#include "render/surfaces.h"
 
 namespace mimo::rays {
 namespace {
@@ -18,6 +24,40 @@ Mesh field_of(const mjModel& model, int id) {
   return builder.finish(false);
 }
 
+constexpr int kLeaf = 4;
+
+float corner_of(const Triangle& t, int which, int k) {
+  return t.corner[k] + (which == 1 ? t.edge1[k] : which == 2 ? t.edge2[k] : 0.0F);
+}
+
+void empty(Node& node) {
+  node.low.fill(std::numeric_limits<float>::max());
+  node.high.fill(-std::numeric_limits<float>::max());
+}
+
+void enclose(const Triangle& triangle, Node& node) {
+  for (int k = 0; k < 3; ++k) {
+    for (int which = 0; which < 3; ++which) {
+      node.low[k] = std::min(node.low[k], corner_of(triangle, which, k));
+      node.high[k] = std::max(node.high[k], corner_of(triangle, which, k));
+    }
+  }
+}
+
+// For what is rounded.
+void add_slack(Node& node) {
+  for (int k = 0; k < 3; ++k) {
+    const float slack = 1e-6F * (std::abs(node.low[k]) + std::abs(node.high[k]));
+    node.low[k] -= slack;
+    node.high[k] += slack;
+  }
+}
+
+void measure(Mesh& mesh) {
+  const Node& root = mesh.nodes[0];
+  for (int k = 0; k < 3; ++k) mesh.half[k] = std::max({-root.low[k], root.high[k], 0.0F});
+}
+
 }  // namespace
 
 Meshes::Meshes(const mjModel& model) {
@@ -29,6 +69,127 @@ const Mesh* Meshes::find(int geom_type, int data_id) const {
   if (geom_type != mjGEOM_MESH && geom_type != mjGEOM_HFIELD) return nullptr;
   const std::vector<Mesh>& all = geom_type == mjGEOM_MESH ? meshes_ : fields_;
   return data_id >= 0 && data_id < static_cast<int>(all.size()) ? &all[data_id] : nullptr;
+}
+
+bool form(const Corners& corners, Triangle& triangle, Surface& surface) {
+  for (const Corner& corner : corners) {
+    if (!std::all_of(corner.place.data(), corner.place.data() + 3, is_near)) return false;
+  }
+  const Vec e1 = corners[1].place - corners[0].place;
+  const Vec e2 = corners[2].place - corners[0].place;
+  const double a = dot(e1, e1);
+  const double b = dot(e1, e2);
+  const double c = dot(e2, e2);
+  const double area = a * c - b * b;
+  if (!(area > 1e-24 * a * c)) return false;
+  triangle.corner = narrow(corners[0].place);
+  triangle.edge1 = narrow(e1);
+  triangle.edge2 = narrow(e2);
+  surface.corner = triangle.corner;
+  surface.to_u = narrow(c / area * e1 + -b / area * e2);
+  surface.to_v = narrow(a / area * e2 + -b / area * e1);
+  surface.normal = narrow(corners[0].normal);
+  surface.normal_u = narrow(corners[1].normal - corners[0].normal);
+  surface.normal_v = narrow(corners[2].normal - corners[0].normal);
+  return true;
+}
+
+void refit(Mesh& mesh) {
+  if (mesh.nodes.empty()) return;
+  for (auto node = mesh.nodes.rbegin(); node != mesh.nodes.rend(); ++node) {  // children come after their parents
+    if (node->child == 0) {
+      empty(*node);
+      for (int i = node->first; i < node->first + node->count; ++i) {
+        enclose(mesh.triangles[static_cast<std::size_t>(i)], *node);
+      }
+      add_slack(*node);
+      continue;
+    }
+    const Node& one = mesh.nodes[static_cast<std::size_t>(node->child)];
+    const Node& other = mesh.nodes[static_cast<std::size_t>(node->child) + 1];
+    for (int k = 0; k < 3; ++k) {
+      node->low[k] = std::min(one.low[k], other.low[k]);
+      node->high[k] = std::max(one.high[k], other.high[k]);
+    }
+  }
+  measure(mesh);
+}
+
+MeshBuilder::MeshBuilder(double most) {
+  if (most * kSurfaceFloats <= std::numeric_limits<std::int32_t>::max()) return;
+  fail(Status::kUnsupported, "a mesh or height field of the model is too large for the ray renderer");
+}
+
+void MeshBuilder::add(const Corners& corners, bool keep) {
+  Triangle triangle;
+  Surface surface;
+  if (!form(corners, triangle, surface) && !keep) return;
+  for (int k = 0; k < 2; ++k) {
+    surface.texture[k] = static_cast<float>(corners[0].texture[k]);
+    surface.texture_u[k] = static_cast<float>(corners[1].texture[k] - corners[0].texture[k]);
+    surface.texture_v[k] = static_cast<float>(corners[2].texture[k] - corners[0].texture[k]);
+  }
+  triangles_.push_back(triangle);
+  surfaces_.push_back(surface);
+}
+
+Mesh MeshBuilder::finish(bool textured) {
+  Mesh mesh;
+  mesh.textured = textured;
+  const int count = static_cast<int>(triangles_.size());
+  if (count == 0) return mesh;
+  order_.resize(triangles_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  mesh.nodes.resize(1);
+  split(0, 0, count, mesh.nodes);
+  mesh.triangles.resize(triangles_.size());
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    mesh.triangles.set(i, triangles_[order_[i]]);
+    mesh.surfaces.push_back(surfaces_[order_[i]]);
+  }
+  measure(mesh);
+  return mesh;
+}
+
+float MeshBuilder::middle(int triangle, int k) const {
+  const Triangle& t = triangles_[triangle];
+  return corner_of(t, 0, k) + corner_of(t, 1, k) + corner_of(t, 2, k);
+}
+
+// Halves triangles first..first + count along the axis on which their middles spread most.
+void MeshBuilder::split(int index, int first, int count, std::vector<Node>& nodes) {
+  Node node;
+  empty(node);
+  for (int i = first; i < first + count; ++i) enclose(triangles_[order_[i]], node);
+  add_slack(node);
+  node.first = first;
+  node.count = count;
+  if (count <= kLeaf) {
+    nodes[index] = node;
+    return;
+  }
+  float spread[3];
+  for (int k = 0; k < 3; ++k) {
+    float least = std::numeric_limits<float>::max();
+    float most = -least;
+    for (int i = first; i < first + count; ++i) {
+      least = std::min(least, middle(order_[i], k));
+      most = std::max(most, middle(order_[i], k));
+    }
+    spread[k] = most - least;
+  }
+  const int axis = static_cast<int>(std::max_element(spread, spread + 3) - spread);
+  const int half = count / 2;
+  const auto begin = order_.begin() + first;
+  std::nth_element(begin, begin + half, begin + count, [this, axis](int a, int b) {
+    return std::make_pair(middle(a, axis), a) < std::make_pair(middle(b, axis), b);
+  });
+  node.axis = axis;
+  node.child = static_cast<std::int32_t>(nodes.size());
+  nodes[index] = node;
+  nodes.resize(nodes.size() + 2);
+  split(node.child, first, half, nodes);
+  split(node.child + 1, first + half, count - half, nodes);
 }
 
 }  // namespace mimo::rays

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "rays/eye.h"
+#include "rays/camera.h"
 #include "rays/lanes-inl.h"
 #include "rays/meshes.h"
 

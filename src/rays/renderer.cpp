@@ -6,10 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "base/angle.h"
 #include "base/fail.h"
+#include "base/numbers.h"
 #include "base/pool.h"
-#include "rays/assets.h"
 #include "rays/frame.h"
 #include "rays/kernels.h"
 

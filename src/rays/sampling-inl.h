@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "rays/lanes-inl.h"
-#include "rays/textures.h"
+#include "rays/materials.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/length.h"
+#include "base/numbers.h"
 #include "rays/frame.h"
 #include "rays/lanes-inl.h"
 #include "rays/lighting-inl.h"

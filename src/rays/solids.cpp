@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/length.h"
-#include "rays/assets.h"
+#include "base/numbers.h"
 #include "rays/extras.h"
-#include "render/paint.h"
+#include "rays/frame.h"
 #include "render/renderer.h"
+#include "render/surfaces.h"
 
 namespace mimo::rays {
 

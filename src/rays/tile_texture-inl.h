@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "rays/lanes-inl.h"
+#include "rays/materials.h"
 #include "rays/sampling-inl.h"
-#include "rays/textures.h"
 #include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "render/vectors.h"
+#include "render/surfaces.h"
 
 namespace mimo::rays {
 

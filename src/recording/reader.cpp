@@ -17,7 +17,7 @@ constexpr unsigned kReadAttempts = 20;
 constexpr std::uint64_t kMostInflated = 1032;
 // Of what is read at once, while no other thread can use HDF5. A chunk is read as a whole.
 constexpr std::size_t kPieceBytes = std::size_t{4} << 20;
-constexpr hdf5::Size kChunkBytes = hdf5::Size{64} << 20;
+constexpr hdf5::Size kMostChunkBytes = hdf5::Size{64} << 20;
 constexpr std::size_t kMostDimensions = 32, kLargestNumber = 8;
 
 // What waits for somebody else, as a pipe does, or never ends is no file.
@@ -214,7 +214,8 @@ void Reader::require_plain_storage(const std::string& name, const Table& table) 
   chunk.resize(static_cast<std::size_t>(dimensions));
   const std::size_t size = h5_.TypeSize(table.type.id()), all = product_of(chunk, 0, size);
   const std::size_t row = product_of(chunk, 1, size);  // of which one is a chunk at least
-  if (all == 0 || all > std::max<hdf5::Size>(kChunkBytes, row)) damaged("'" + name + "' has chunks that are too large");
+  if (all == 0 || all > std::max<hdf5::Size>(kMostChunkBytes, row))
+    damaged("'" + name + "' has chunks that are too large");
 }
 
 // What a file says to hold it must be able to hold.

@@ -9,8 +9,7 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "env/description.h"
-#include "recording/build.h"
-#include "recording/joints.h"
+#include "recording/rows.h"
 
 namespace mimo::recording {
 namespace {

@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "blueprint/aging_world.h"
-#include "env/step_observer.h"
-#include "recording/bodies.h"
+#include "env/step.h"
 #include "recording/file.h"
-#include "recording/step_results.h"
+#include "recording/rows.h"
 
 namespace mimo::recording {
 

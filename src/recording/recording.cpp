@@ -8,9 +8,7 @@
 #include "base/fail.h"
 #include "document/composition.h"
 #include "env/state.h"
-#include "recording/build.h"
-#include "recording/difference.h"
-#include "recording/joints.h"
+#include "recording/rows.h"
 
 namespace mimo::recording {
 namespace {

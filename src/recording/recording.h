@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "blueprint/aging_world.h"
-#include "recording/bodies.h"
 #include "recording/file.h"
-#include "recording/step_results.h"
+#include "recording/rows.h"
 
 namespace mimo::recording {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "growth/conduction.h"
+#include "growth/maturity.h"
 
 namespace mimo::reflexes {
 

@@ -1,9 +1,12 @@
-// What draws pictures. A renderer belongs to one model and may be used by any thread, one at a time.
+// What draws pictures: views, pictures and their quality. A renderer belongs to one model and may be used by any
+// thread, one at a time.
 #pragma once
 
 #include <Eigen/Core>
+#include <any>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 typedef struct mjData_ mjData;
 typedef struct mjModel_ mjModel;
@@ -57,5 +60,44 @@ View camera_view(const mjModel& model, const mjData& data, int camera, double fo
 
 // The view of a free camera that looks at a point; angles in degrees as MuJoCo's free camera.
 View orbit_view(const Eigen::Vector3d& look_at, double distance, double azimuth, double elevation, double fovy);
+
+// From where somebody wants to look: by a camera of the model, or by a free one.
+
+struct Viewpoint {
+  int camera = -1;  // of the model; -1: the free one, which looks at a point
+  double fovy = 0;  // degrees; 0: the camera's own, for the free one the model's
+  Eigen::Vector3d look_at = Eigen::Vector3d::Zero();
+  double distance = 1;
+  double azimuth = 0, elevation = 0;  // degrees, as MuJoCo's free camera
+};
+
+// Cameras of the model are where `data` has them.
+View view_from(const mjModel& model, const mjData& data, const Viewpoint& from);
+
+// Where the world's points appear in a picture.
+
+// How far a picture so high is from its camera, in pixels; fovy is in degrees.
+double focal_length(double fovy, double height);
+
+// Pixels right and pixels down from the picture's upper left corner, and the depth, m: negative behind the camera.
+Eigen::Vector3d project(const View& view, double width, double height, const Eigen::Vector3d& point);
+
+// Where renderers of one model find what they can share, made by the first that asks.
+
+// For renderers of one kind; thread-safe.
+class Shelf {
+ public:
+  // What `make` gives, or gave.
+  template <typename Make>
+  auto get(Make&& make) {
+    const std::lock_guard lock(mutex_);
+    if (!assets_.has_value()) assets_ = make();
+    return std::any_cast<decltype(make())>(assets_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::any assets_;
+};
 
 }  // namespace mimo::render

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "base/angle.h"
 #include "base/fail.h"
+#include "base/numbers.h"
 #include "engine/guard.h"
 
 namespace mimo::render {

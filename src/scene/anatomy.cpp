@@ -1,15 +1,19 @@
 #include "scene/anatomy.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
 
-#include "base/angle.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "base/names.h"
+#include "base/numbers.h"
 #include "document/compiler.h"
 #include "document/defaults.h"
 #include "document/names.h"
 #include "document/xml.h"
+#include "scene/attachments.h"
 
 namespace mimo::scene {
 namespace {
@@ -19,7 +23,7 @@ using growth::Joint;
 using growth::Motor;
 using growth::Shape;
 
-constexpr const char* kEyes = "eye_";  // how the names of an infant's own cameras begin
+constexpr const char* kEyeCamera = "eye_";  // how the names of an infant's own cameras begin
 
 Shape shape_named(const std::string& type, const std::string& geom) {
   if (type.empty() || type == "sphere") return Shape::kSphere;
@@ -102,6 +106,133 @@ class Writer {
   bool wrote_ = false;
 };
 
+struct Named {
+  const char* name;
+  unsigned group;
+};
+
+constexpr std::array<Named, 11> kGroups = {{{"trunk", kTrunk},
+                                            {"head", kHead},
+                                            {"eyes", kEyes},
+                                            {"right_arm", kRightArm},
+                                            {"left_arm", kLeftArm},
+                                            {"right_hand", kRightHand},
+                                            {"left_hand", kLeftHand},
+                                            {"right_leg", kRightLeg},
+                                            {"left_leg", kLeftLeg},
+                                            {"right_foot", kRightFoot},
+                                            {"left_foot", kLeftFoot}}};
+
+// How the names of motors begin, without "act:". The first that fits counts; a hip with a side is a leg's.
+constexpr std::array<Named, 18> kMotors = {{{"hip_", kTrunk},
+                                            {"head_", kHead},
+                                            {"right_eye_", kEyes},
+                                            {"left_eye_", kEyes},
+                                            {"right_shoulder_", kRightArm},
+                                            {"right_elbow", kRightArm},
+                                            {"left_shoulder_", kLeftArm},
+                                            {"left_elbow", kLeftArm},
+                                            {"right_hip_", kRightLeg},
+                                            {"right_knee", kRightLeg},
+                                            {"left_hip_", kLeftLeg},
+                                            {"left_knee", kLeftLeg},
+                                            {"right_foot_", kRightFoot},
+                                            {"left_foot_", kLeftFoot},
+                                            {"right_toes", kRightFoot},
+                                            {"left_toes", kLeftFoot},
+                                            {"right_big_toe", kRightFoot},
+                                            {"left_big_toe", kLeftFoot}}};
+
+std::string text_of(pugi::xml_attribute attribute) { return attribute.value(); }
+
+bool is_pose(const std::string& tuple) {
+  const std::string ending = std::string("/") + names::kPose;
+  return tuple == names::kPose ||
+         (tuple.size() > ending.size() && tuple.compare(tuple.size() - ending.size(), ending.size(), ending) == 0);
+}
+
+// What the document says about a hinge or slide, in SI units.
+class HeldJoint {
+ public:
+  HeldJoint(pugi::xml_node root, const std::string& name) : root_(root), defaults_(root) {
+    for (const pugi::xml_node world : root.children("worldbody")) {
+      if (node_.empty()) node_ = document::find_named(world, "joint", name);
+    }
+    if (node_.empty())
+      fail(Status::kNotFound, "no joint named \"{}\"; {}", name, choice_of(name, document::names_of(root, {"joint"})));
+    const std::string type = text_of(defaults_.find(node_, "type"));
+    slides_ = type == "slide";
+    require(type.empty() || slides_ || type == "hinge", "joint \"{}\" is of type {}, expected a hinge or slide", name,
+            type);
+  }
+
+  double reference() const {
+    const std::vector<double> given = document::numbers(defaults_.find(node_, "ref"));
+    return given.empty() ? 0 : given[0] * unit();
+  }
+
+  void require_in_range(double value) const {
+    const char* what = slides_ ? "metres" : "radians";
+    const std::string name = text_of(node_.attribute("name"));
+    require(std::isfinite(value), "value of joint \"{}\" is {}, expected {}", name, value, what);
+    const std::vector<double> range = document::numbers(defaults_.find(node_, "range"));
+    if (!limited() || range.size() != 2) return;
+    const double low = range[0] * unit(), high = range[1] * unit();
+    require(value >= low && value <= high, "value of joint \"{}\" is {}, expected {:.6g} to {:.6g} {}", name, value,
+            low, high, what);
+  }
+
+ private:
+  double unit() const { return slides_ || document::in_radians(root_) ? 1 : kDegree; }
+  bool limited() const {
+    const std::string said = text_of(defaults_.find(node_, "limited"));
+    return said == "true" || (said != "false" && document::infers_limits(root_));
+  }
+
+  pugi::xml_node root_, node_;
+  document::Defaults defaults_;
+  bool slides_ = false;
+};
+
+// Where a stored pose says something about a joint; empty if none does.
+pugi::xml_node stored(pugi::xml_node root, const std::string& joint) {
+  for (const pugi::xml_node custom : root.children("custom")) {
+    for (const pugi::xml_node tuple : custom.children("tuple")) {
+      if (!is_pose(text_of(tuple.attribute("name")))) continue;
+      const pugi::xml_node found = tuple.find_child_by_attribute("element", "objname", joint.c_str());
+      if (!found.empty()) return found;
+    }
+  }
+  return {};
+}
+
+pugi::xml_node stored_or_new(pugi::xml_node root, const std::string& joint) {
+  const pugi::xml_node there = stored(root, joint);
+  if (!there.empty()) return there;
+  pugi::xml_node tuple;
+  for (const pugi::xml_node custom : root.children("custom")) {
+    if (tuple.empty()) tuple = custom.find_child_by_attribute("tuple", "name", names::kPose);
+  }
+  if (tuple.empty())
+    document::set(tuple = document::append(document::section(root, "custom"), "tuple"), "name", names::kPose);
+  const pugi::xml_node entry = document::append(tuple, "element");
+  document::set(entry, "objtype", "joint");
+  document::set(entry, "objname", joint);
+  return entry;
+}
+
+// The equality that can hold a joint; a new one if there is none. An infant's joints have theirs.
+pugi::xml_node lock_of(pugi::xml_node root, const std::string& joint) {
+  for (const pugi::xml_node equalities : root.children("equality")) {
+    for (const pugi::xml_node equality : equalities.children("joint")) {
+      if (joint == text_of(equality.attribute("joint1")) && !equality.attribute("joint2")) return equality;
+    }
+  }
+  const pugi::xml_node lock = add_equality(root, "joint");
+  document::set(lock, "joint1", joint);
+  return lock;
+}
+
 }  // namespace
 
 struct Anatomy::Reader {
@@ -141,7 +272,7 @@ struct Anatomy::Reader {
   void read_part(pugi::xml_node node) {
     if (document::is(node, "geom")) read_geom(node);
     if (document::is(node, "joint")) read_joint(node);
-    if (document::is(node, "site") || (document::is(node, "camera") && begins_with(own_name(node), kEyes)))
+    if (document::is(node, "site") || (document::is(node, "camera") && begins_with(own_name(node), kEyeCamera)))
       read_mark(node);
   }
 
@@ -222,6 +353,49 @@ bool Anatomy::write(const growth::Skeleton& changed) {
   writer.write(motors_, motor, changed.motors, skeleton_.motors);
   skeleton_ = changed;
   return writer.wrote();
+}
+
+unsigned group_of(const std::string& motor) {
+  if (!begins_with(motor, names::kMotor)) return 0;
+  const std::string name = motor.substr(std::string(names::kMotor).size());
+  for (const Named& entry : kMotors) {
+    if (begins_with(name, entry.name)) return entry.group;
+  }
+  // What is left are wrists and fingers, of which a hand may have many.
+  if (begins_with(name, "right_")) return kRightHand;
+  return begins_with(name, "left_") ? static_cast<unsigned>(kLeftHand) : 0u;
+}
+
+unsigned group_named(const std::string& word) {
+  for (const Named& entry : kGroups) {
+    if (word == entry.name) return entry.group;
+  }
+  return 0;
+}
+
+unsigned groups_from(const std::string& words) {
+  std::istringstream stream(words);
+  unsigned groups = 0;
+  for (std::string word; stream >> word;) {
+    const unsigned group = group_named(word);
+    if (group == 0) fail(Status::kModel, "{}: \"{}\" is no part of the infant", names::kActs, word);
+    groups |= group;
+  }
+  return groups;
+}
+
+void start_joint(pugi::xml_node root, const std::string& joint, double value) {
+  HeldJoint(root, joint).require_in_range(value);
+  document::set(stored_or_new(root, joint), "prm", Span<const double>(&value, 1));
+}
+
+void lock_joint(pugi::xml_node root, const std::string& joint, double value) {
+  start_joint(root, joint, value);
+  const double offset = value - HeldJoint(root, joint).reference();
+  const std::array<double, 5> line{offset, 1, 0, 0, 0};
+  const pugi::xml_node lock = lock_of(root, joint);
+  document::set(lock, "active", "true");
+  document::set(lock, "polycoef", Span<const double>(line));
 }
 
 }  // namespace mimo::scene

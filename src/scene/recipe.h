@@ -1,14 +1,19 @@
-// What a room does with an infant that is put into it: how it is held, what of it acts, what stands around it. A room
-// names its recipe by a custom text, "mimo:infant"; the recipe is an MJCF file whose names get the infant's prefix.
+// What a room does with an infant that is put into it: where it lies or stands, how it is held, what of it acts.
 #pragma once
 
 #include <pugixml.hpp>
 #include <string>
 #include <vector>
 
+#include "base/log.h"
+#include "document/attributes.h"
 #include "document/library.h"
+#include "engine/physics.h"
 
 namespace mimo::scene {
+
+// What a room does with an infant that is put into it: how it is held, what of it acts, what stands around it. A room
+// names its recipe by a custom text, "mimo:infant"; the recipe is an MJCF file whose names get the infant's prefix.
 
 // What an infant senses.
 struct Senses {
@@ -46,5 +51,21 @@ std::vector<std::string> custom_words(pugi::xml_node root, const std::string& na
 // `still`.
 void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups,
                  const std::vector<std::string>& still = {});
+
+// Where an infant is put whom nobody has given a place, and what is said of one whose place is taken.
+
+// Everything where the model starts.
+engine::Physics at_start(const engine::ModelPtr& model);
+
+// A pose in which the infant is inside of nothing: upright on what stands still below or above the origin, on the
+// surface nearest to the origin's height; where something stands there already, beside it. Without such a pose, and
+// where there is no ground, the origin.
+document::Pose free_spot(engine::Physics& physics, const std::string& prefix);
+
+// Where the root of an infant has to be for its anchor to lie at the place; it has the place's orientation already.
+document::Pose root_of(const engine::Physics& physics, const std::string& prefix, const document::Place& place);
+
+// A warning for an infant that starts inside of something, with how deep and in what.
+void warn_of_overlap(const engine::Physics& physics, const std::string& prefix, const LogSink& log);
 
 }  // namespace mimo::scene

@@ -6,23 +6,20 @@
 #include <iterator>
 #include <set>
 
-#include "base/angle.h"
-#include "base/choice.h"
 #include "base/fail.h"
 #include "base/format.h"
 #include "base/names.h"
-#include "document/buffers.h"
+#include "base/numbers.h"
+#include "document/budget.h"
 #include "document/compiler.h"
+#include "document/composition.h"
 #include "document/defaults.h"
-#include "document/inertias.h"
-#include "document/lines.h"
-#include "document/loader.h"
-#include "document/merging.h"
 #include "document/names.h"
+#include "document/report.h"
+#include "document/storage.h"
 #include "document/xml.h"
+#include "scene/anatomy.h"
 #include "scene/growing.h"
-#include "scene/joints.h"
-#include "scene/placing.h"
 #include "scene/recipe.h"
 
 namespace mimo::scene {

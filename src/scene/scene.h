@@ -10,16 +10,15 @@
 #include <vector>
 
 #include "base/log.h"
+#include "document/attributes.h"
+#include "document/budget.h"
 #include "document/composition.h"
 #include "document/library.h"
-#include "document/limits.h"
-#include "document/pose.h"
-#include "document/saving.h"
+#include "document/storage.h"
 #include "growth/growth.h"
 #include "mimo/scene.h"
-#include "scene/guest.h"
+#include "scene/attachments.h"
 #include "scene/recipe.h"
-#include "scene/welds.h"
 
 namespace mimo::scene {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "receptors/spindle.h"
+#include "receptors/muscles.h"
 
 namespace mimo::senses {
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "base/bits.h"
+#include "base/numbers.h"
 
 namespace mimo::senses {
 namespace {

@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/motion.h"
-#include "observation/process.h"
-#include "observation/signals.h"
-#include "receptors/canals.h"
-#include "receptors/gravity_estimate.h"
-#include "receptors/maculae.h"
+#include "engine/present.h"
+#include "observation/sense.h"
+#include "receptors/labyrinth.h"
 #include "senses/vestibular.h"
 
 namespace mimo::senses {

@@ -2,11 +2,11 @@
 
 #include <Eigen/Core>
 
-#include "base/bits.h"
 #include "base/fail.h"
 #include "base/header.h"
-#include "engine/motion.h"
-#include "observation/signals.h"
+#include "base/numbers.h"
+#include "engine/present.h"
+#include "observation/sense.h"
 #include "senses/labyrinth.h"
 
 namespace mimo::senses {

@@ -2,10 +2,10 @@
 
 #include <limits>
 
-#include "base/bits.h"
 #include "base/fail.h"
 #include "base/format.h"
-#include "render/projection.h"
+#include "base/numbers.h"
+#include "render/renderer.h"
 
 namespace mimo::senses {
 namespace {

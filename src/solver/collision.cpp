@@ -3,23 +3,273 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 
 #include "compat/mujoco.h"
-#include "solver/shape_pair.h"
-#include "solver/stack.h"
+#include "solver/constraints.h"
 
 namespace mimo::solver {
+namespace {
 
-#if MIMO_MUJOCO_4
+using Vector = std::array<double, 3>;
 
-void collide(const mjModel& model, mjData& data) { mj_collision(&model, &data); }
+// MuJoCo's general function for convex shapes is exact to its tolerance only.
+constexpr double kLeastGap = 1e-5;
 
-#else
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+struct Shape {
+  int type;
+  const double* size;
+  const double* center;
+  std::array<Vector, 3> axes;
+};
+
+Shape shape_of(const mjModel& model, const mjData& data, int geom) {
+  const double* m = data.geom_xmat + 9 * geom;
+  return {model.geom_type[geom],
+          model.geom_size + 3 * geom,
+          data.geom_xpos + 3 * geom,
+          {Vector{m[0], m[3], m[6]}, Vector{m[1], m[4], m[7]}, Vector{m[2], m[5], m[8]}}};
+}
+
+bool is_round(int type) { return type == mjGEOM_CAPSULE || type == mjGEOM_CYLINDER; }
+
+// How far a shape reaches from its centre in a direction of length 1.
+double reach(const Shape& shape, const Vector& direction) {
+  const double* size = shape.size;
+  if (shape.type == mjGEOM_SPHERE) return size[0];
+  const double along = std::abs(dot(direction, shape.axes[2]));
+  if (shape.type == mjGEOM_CAPSULE) return size[0] + size[1] * along;
+  if (shape.type == mjGEOM_CYLINDER) {
+    return size[0] * std::sqrt(std::max(0.0, 1 - along * along)) + size[1] * along;
+  }
+  return size[0] * std::abs(dot(direction, shape.axes[0])) + size[1] * std::abs(dot(direction, shape.axes[1])) +
+         size[2] * along;
+}
+
+class Pair {
+ public:
+  Pair(const Shape& first, const Shape& second, double margin) : first_(first), second_(second), margin_(margin) {
+    for (std::size_t i = 0; i < 3; ++i) between_[i] = second.center[i] - first.center[i];
+  }
+
+  bool parted_by_faces(const Shape& shape) const {
+    if (shape.type == mjGEOM_BOX) return parted(shape.axes[0]) || parted(shape.axes[1]) || parted(shape.axes[2]);
+    return shape.type == mjGEOM_CYLINDER && parted(shape.axes[2]);
+  }
+
+  // By a plane along the axis of one of them.
+  bool parted_by_side(const Shape& shape) const {
+    if (!is_round(shape.type)) return false;
+    const double along = dot(between_, shape.axes[2]);
+    Vector side;
+    for (std::size_t i = 0; i < 3; ++i) side[i] = between_[i] - along * shape.axes[2][i];
+    return parted_along(side);
+  }
+
+  bool parted_between() const { return parted_along(between_); }
+
+ private:
+  bool parted_along(Vector direction) const {
+    const double length = std::sqrt(dot(direction, direction));
+    if (!(length > mjMINVAL)) return false;
+    for (double& x : direction) x /= length;
+    return parted(direction);
+  }
+
+  bool parted(const Vector& direction) const {
+    return std::abs(dot(between_, direction)) > reach(first_, direction) + reach(second_, direction) + margin_;
+  }
+
+  const Shape &first_, &second_;
+  double margin_;
+  Vector between_;
+};
+
+bool is_simple(int type) { return type == mjGEOM_SPHERE || is_round(type) || type == mjGEOM_BOX; }
+bool is_costly(int type) { return type == mjGEOM_CYLINDER || type == mjGEOM_BOX; }
+
+}  // namespace
+
+bool are_apart(const mjModel& model, const mjData& data, int geom, int other, double margin) {
+  const int type = model.geom_type[geom], other_type = model.geom_type[other];
+  if (!is_simple(type) || !is_simple(other_type) || !(is_costly(type) || is_costly(other_type))) return false;
+  const Shape first = shape_of(model, data, geom), second = shape_of(model, data, other);
+  const Pair pair(first, second, margin + kLeastGap);
+  return pair.parted_by_faces(first) || pair.parted_by_faces(second) || pair.parted_by_side(first) ||
+         pair.parted_by_side(second) || pair.parted_between();
+}
+
+}  // namespace mimo::solver
+
+#if !MIMO_MUJOCO_4
+
+namespace mimo::solver {
+namespace {
+
+// How two shapes touch, where they do.
+struct Rules {
+  double margin, gap;
+  int dimensions;
+  std::array<double, 5> friction;
+  std::array<double, mjNREF> solref;
+  std::array<double, mjNIMP> solimp;
+};
+
+double plane_distance(const mjData& data, int plane, int geom) {
+  const double* normal = data.geom_xmat + 9 * plane + 2;
+  const double *from = data.geom_xpos + 3 * plane, *to = data.geom_xpos + 3 * geom;
+  return (to[0] - from[0]) * normal[0] + (to[1] - from[1]) * normal[3] + (to[2] - from[2]) * normal[6];
+}
+
+// By the spheres around them; `first` is the plane if there is one.
+bool are_far(const mjModel& model, const mjData& data, int first, int second, double margin) {
+  const double radius = model.geom_rbound[first], other = model.geom_rbound[second];
+  if (radius > 0 && other > 0) {
+    return mju_dist3(data.geom_xpos + 3 * first, data.geom_xpos + 3 * second) > radius + other + margin;
+  }
+  return model.geom_type[first] == mjGEOM_PLANE && other > 0 && plane_distance(data, first, second) > margin + other;
+}
+
+void order_by_type(const mjModel& model, int& first, int& second) {
+  if (model.geom_type[first] > model.geom_type[second]) std::swap(first, second);
+}
+
+// Two boxes may report a point twice.
+int drop_repeated(mjContact* contacts, int count) {
+  int kept = 0;
+  for (int i = 0; i < count; ++i) {
+    const double* point = contacts[i].pos;
+    const bool again = std::any_of(contacts + i + 1, contacts + count, [&](const mjContact& later) {
+      return point[0] == later.pos[0] && point[1] == later.pos[1] && point[2] == later.pos[2];
+    });
+    if (again) continue;
+    if (kept < i) contacts[kept] = contacts[i];
+    ++kept;
+  }
+  return kept;
+}
+
+// Completes the axes of a contact: the first is the normal, the second may be a wish.
+void complete_frame(double* frame) {
+  if (mju_normalize3(frame) < 0.5) mju_error("the normal of a contact is undefined");
+  if (mju_norm3(frame + 3) < 0.5) {
+    mju_zero3(frame + 3);
+    frame[frame[1] < 0.5 && frame[1] > -0.5 ? 4 : 5] = 1;
+  }
+  double along[3];
+  mju_scl3(along, frame, mju_dot3(frame, frame + 3));
+  mju_subFrom3(frame + 3, along);
+  mju_normalize3(frame + 3);
+  mju_cross(frame + 6, frame, frame + 3);
+}
+
+// Calls `complete` for the rules of friction and softness only where there are contacts.
+template <typename Complete>
+void collide_ordered(const mjModel& model, mjData& data, int first, int second, Rules& rules, Complete&& complete) {
+  const int type = model.geom_type[first], other_type = model.geom_type[second];
+  const mjfCollision find = mjCOLLISIONFUNC[type][other_type];
+  if (find == nullptr || are_far(model, data, first, second, rules.margin)) return;
+  if (are_apart(model, data, first, second, rules.margin)) return;
+  std::array<mjContact, mjMAXCONPAIR> contacts;
+  int count = find(&model, &data, contacts.data(), first, second, rules.margin);
+  if (count == 0) return;
+  if (type == mjGEOM_BOX && other_type == mjGEOM_BOX) count = drop_repeated(contacts.data(), count);
+  complete();
+  for (double& friction : rules.friction) friction = std::max(mjMINMU, friction);
+  for (int i = 0; i < count; ++i) {
+    mjContact& contact = contacts[static_cast<std::size_t>(i)];
+    contact.dim = rules.dimensions;
+    contact.geom1 = first;
+    contact.geom2 = second;
+    contact.includemargin = rules.margin - rules.gap;
+    contact.exclude = contact.dist < contact.includemargin ? 0 : 1;
+    std::copy_n(rules.friction.data(), 5, contact.friction);
+    std::copy_n(rules.solref.data(), mjNREF, contact.solref);
+    std::copy_n(rules.solimp.data(), mjNIMP, contact.solimp);
+    complete_frame(contact.frame);
+    contact.efc_address = -1;
+    contact.mu = 0;
+    std::fill(std::begin(contact.H), std::end(contact.H), 0.0);
+    if (mj_addContact(&model, &data, &contact) != 0) return;
+  }
+}
+
+void take_rules_of(const mjModel& model, int geom, Rules& rules) {
+  const double* friction = model.geom_friction + 3 * geom;
+  rules.friction = {friction[0], friction[0], friction[1], friction[2], friction[2]};
+  std::copy_n(model.geom_solref + mjNREF * geom, mjNREF, rules.solref.data());
+  std::copy_n(model.geom_solimp + mjNIMP * geom, mjNIMP, rules.solimp.data());
+}
+
+double share_of_first(double first, double second) {
+  if (first >= mjMINVAL && second >= mjMINVAL) return first / (first + second);
+  if (first < mjMINVAL && second < mjMINVAL) return 0.5;
+  return first < mjMINVAL ? 0 : 1;
+}
+
+void mix_rules(const mjModel& model, int first, int second, Rules& rules) {
+  const double *one = model.geom_friction + 3 * first, *other = model.geom_friction + 3 * second;
+  const double slide = std::max(one[0], other[0]), roll = std::max(one[2], other[2]);
+  rules.friction = {slide, slide, std::max(one[1], other[1]), roll, roll};
+  const double share = share_of_first(model.geom_solmix[first], model.geom_solmix[second]);
+  const double *ref = model.geom_solref + mjNREF * first, *other_ref = model.geom_solref + mjNREF * second;
+  const bool standard = ref[0] > 0 && other_ref[0] > 0;
+  for (std::size_t i = 0; i < mjNREF; ++i) {
+    rules.solref[i] = standard ? share * ref[i] + (1 - share) * other_ref[i] : std::min(ref[i], other_ref[i]);
+  }
+  const double *imp = model.geom_solimp + mjNIMP * first, *other_imp = model.geom_solimp + mjNIMP * second;
+  for (std::size_t i = 0; i < mjNIMP; ++i) rules.solimp[i] = imp[i] * share + other_imp[i] * (1 - share);
+}
+
+}  // namespace
+
+void collide_shapes(const mjModel& model, mjData& data, int geom, int other) {
+  const bool match = (model.geom_contype[geom] & model.geom_conaffinity[other]) != 0 ||
+                     (model.geom_contype[other] & model.geom_conaffinity[geom]) != 0;
+  if (!match) return;
+  int first = geom, second = other;
+  order_by_type(model, first, second);
+  const int priority = model.geom_priority[first], other_priority = model.geom_priority[second];
+  const int chief = priority > other_priority ? first : second;
+  Rules rules;
+  rules.margin = std::max(model.geom_margin[first], model.geom_margin[second]);
+  rules.gap = std::max(model.geom_gap[first], model.geom_gap[second]);
+  rules.dimensions = priority == other_priority ? std::max(model.geom_condim[first], model.geom_condim[second])
+                                                : model.geom_condim[chief];
+  collide_ordered(model, data, first, second, rules, [&] {
+    if (priority == other_priority) {
+      mix_rules(model, first, second, rules);
+    } else {
+      take_rules_of(model, chief, rules);
+    }
+  });
+}
+
+void collide_pair(const mjModel& model, mjData& data, int pair) {
+  int first = model.pair_geom1[pair], second = model.pair_geom2[pair];
+  order_by_type(model, first, second);
+  Rules rules;
+  rules.margin = model.pair_margin[pair];
+  rules.gap = model.pair_gap[pair];
+  rules.dimensions = model.pair_dim[pair];
+  collide_ordered(model, data, first, second, rules, [&] {
+    std::copy_n(model.pair_friction + 5 * pair, 5, rules.friction.data());
+    std::copy_n(model.pair_solref + mjNREF * pair, mjNREF, rules.solref.data());
+    std::copy_n(model.pair_solimp + mjNIMP * pair, mjNIMP, rules.solimp.data());
+  });
+}
+
+}  // namespace mimo::solver
+
+#endif
+
+namespace mimo::solver {
 namespace {
 
 using Mark = unsigned char;
@@ -178,6 +428,12 @@ bool has_usual_rules(const mjModel& model) {
 }
 
 }  // namespace
+
+#if MIMO_MUJOCO_4
+
+void collide(const mjModel& model, mjData& data) { mj_collision(&model, &data); }
+
+#else
 
 void collide(const mjModel& model, mjData& data) {
   data.ncon = 0;

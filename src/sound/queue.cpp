@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 
 namespace mimo::sound {
 namespace {

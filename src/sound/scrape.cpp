@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
 #include "base/fail.h"
-#include "base/length.h"
+#include "base/numbers.h"
 #include "sound/air.h"
-#include "sound/scatter.h"
 
 namespace mimo::sound {
 namespace {
@@ -17,8 +15,6 @@ constexpr double kPressure = 2e-3, kSpeedThen = 0.1, kEfficiencyThen = 1e-4, kRo
 constexpr double kGrain = 5e-5;                 // m, from one height of the surface to the next
 constexpr double kSpread = 1.7320508075688772;  // numbers from -1 to 1 times this have the mean square 1
 constexpr double kMost = 1e15;                  // steps of the surface, that a state may hold
-
-double compliance(const Solid& solid) { return (1 - solid.poisson * solid.poisson) / solid.young; }
 
 // The radius of the patch where they touch (Hertz), m.
 double patch(const Struck& a, const Struck& b, double force, double curvature) {

@@ -5,7 +5,7 @@
 
 #include "base/bytes.h"
 #include "base/span.h"
-#include "sound/solid.h"
+#include "sound/impact.h"
 
 namespace mimo::sound {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
 #include "base/fail.h"
+#include "base/numbers.h"
 #include "sound/air.h"
 
 namespace mimo::sound {

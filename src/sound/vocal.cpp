@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
 #include "base/fail.h"
+#include "base/numbers.h"
 #include "sound/air.h"
-#include "sound/scatter.h"
 
 namespace mimo::sound {
 namespace {

@@ -1,11 +1,8 @@
 // Catching: a ball of random size and mass falls into the right hand, which is to hold it for a second.
-#include "tasks/catch.h"
-
 #include "base/fail.h"
-#include "engine/joints.h"
-#include "tasks/contacts.h"
-#include "tasks/tracking.h"
-#include "tasks/vectors.h"
+#include "engine/model.h"
+#include "tasks/infant.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

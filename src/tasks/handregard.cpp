@@ -1,14 +1,13 @@
 // Hand regard: the infant is to look at its hands. How often each eye was turned to each hand in the episode is known
 // twice: as the competition BabyBench measures it, down the face, and right, along the camera's axis.
-#include "tasks/handregard.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "base/angle.h"
-#include "engine/joints.h"
-#include "tasks/vectors.h"
+#include "base/numbers.h"
+#include "engine/model.h"
+#include "tasks/infant.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

@@ -1,12 +1,9 @@
 // Reaching: a ball floats before the infant, who looks at it and is to touch it with the right hand or arm.
-#include "tasks/reach.h"
-
 #include <algorithm>
 
-#include "engine/joints.h"
-#include "tasks/contacts.h"
-#include "tasks/tracking.h"
-#include "tasks/vectors.h"
+#include "engine/model.h"
+#include "tasks/infant.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

@@ -1,12 +1,11 @@
 // Rolling over: the infant lies on its back or its belly and is to turn onto the other side with little effort.
-#include "tasks/rollover.h"
-
 #include <algorithm>
 #include <cmath>
 
-#include "base/angle.h"
-#include "engine/joints.h"
-#include "tasks/controls.h"
+#include "base/numbers.h"
+#include "engine/model.h"
+#include "tasks/infant.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

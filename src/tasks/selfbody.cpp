@@ -1,12 +1,10 @@
 // Self-body knowledge: the infant sits cross-legged, is told a part of its body and is to touch it with its right hand.
-#include "tasks/selfbody.h"
-
 #include <algorithm>
 
 #include "base/fail.h"
 #include "base/names.h"
-#include "tasks/contacts.h"
-#include "tasks/vectors.h"
+#include "tasks/infant.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

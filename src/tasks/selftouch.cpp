@@ -1,12 +1,11 @@
 // Self-touch: the infant is to find out what of its body its hands can touch. Which geoms they have touched in the
 // episode is known twice: as the competition BabyBench counts them, and right.
-#include "tasks/selftouch.h"
-
 #include <algorithm>
 #include <array>
 
 #include "engine/contacts.h"
-#include "engine/joints.h"
+#include "engine/model.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

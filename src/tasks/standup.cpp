@@ -1,10 +1,8 @@
 // Standing up: the infant squats in a crib with its hands on the rail, and is to get its head up with little effort.
-#include "tasks/standup.h"
-
 #include <algorithm>
 
-#include "tasks/controls.h"
-#include "tasks/vectors.h"
+#include "tasks/infant.h"
+#include "tasks/task.h"
 
 namespace mimo::tasks {
 namespace {

@@ -1,17 +1,20 @@
 #include "tasks/task.h"
 
-#include "base/choice.h"
+#include <vector>
+
 #include "base/fail.h"
-#include "tasks/catch.h"
-#include "tasks/handregard.h"
-#include "tasks/reach.h"
-#include "tasks/rollover.h"
-#include "tasks/selfbody.h"
-#include "tasks/selftouch.h"
-#include "tasks/standup.h"
 
 namespace mimo::tasks {
 namespace {
+
+const Parameter& find(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Parameter* candidate : parameters()) {
+    if (name == candidate->name) return *candidate;
+    names.emplace_back(candidate->name);
+  }
+  fail(Status::kNotFound, "no parameter named \"{}\"; {}", name, choice_of(name, std::move(names)));
+}
 
 // No task: the reward is 0 and episodes do not end.
 class None : public Task {
@@ -27,6 +30,25 @@ constexpr const Definition* kDefinitions[] = {&kNone,  &kReach,    &kStandup,   
                                               &kCatch, &kRollover, &kSelftouch, &kHandregard};
 
 }  // namespace
+
+std::vector<const Parameter*> parameters() {
+  std::vector<const Parameter*> all;
+  for (const Definition* task : definitions()) {
+    for (const Parameter& parameter : task->parameters) all.push_back(&parameter);
+  }
+  return all;
+}
+
+void Settings::set(const std::string& name, double value) {
+  const Parameter& known = find(name);
+  require(value >= known.low && value <= known.high, "{} is {}, expected {} to {}", name, value, known.low, known.high);
+  values_[name] = value;
+}
+
+double Settings::operator[](const std::string& name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() ? found->second : find(name).standard;
+}
 
 double Task::reward() const {
   double sum = 0;

@@ -1,7 +1,9 @@
 // What an episode is about for one infant: how it starts, what is rewarded, when it ends.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/bytes.h"
@@ -10,10 +12,32 @@
 #include "body/body.h"
 #include "engine/physics.h"
 #include "mimo/env.h"
-#include "observation/signals.h"
-#include "tasks/parameters.h"
+#include "observation/sense.h"
 
 namespace mimo::tasks {
+
+// Numbers by which tasks can be changed: a name such as "reach/success_reward", a default, a range.
+
+struct Parameter {
+  const char* name;
+  double standard;   // the default
+  double low, high;  // allowed values, both included
+  const char* description;
+};
+
+// Those of all tasks, one after the other.
+std::vector<const Parameter*> parameters();
+
+class Settings {
+ public:
+  // Throws Status::kNotFound for an unknown name, kInvalidArgument for a value out of range.
+  void set(const std::string& name, double value);
+  // What was set, or the default. Throws Status::kNotFound for an unknown name.
+  double operator[](const std::string& name) const;
+
+ private:
+  std::map<std::string, double> values_;
+};
 
 // A part of the reward; the reward is the sum of all terms.
 struct Term {
@@ -116,5 +140,9 @@ Span<const Definition* const> definitions();
 
 // Throws Status::kNotFound for a name that is none; "" is none.
 const Definition& definition(const std::string& name);
+
+// Each in the file of its name.
+extern const Definition kReach, kStandup, kSelfbody, kCatch, kRollover;
+extern const Definition kSelftouch, kHandregard;  // as in BabyBench
 
 }  // namespace mimo::tasks

@@ -15,7 +15,7 @@
 #include "blueprint/agents.h"
 #include "blueprint/aging_world.h"
 #include "blueprint/blueprint.h"
-#include "capi/agents.h"
+#include "capi/configs.h"
 #include "support/worlds.h"
 
 namespace mimo::test {

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "base/fail.h"
 #include "base/format.h"
-#include "base/status.h"
 #include "engine/physics.h"
 #include "opengl/renderer.h"
 #include "rays/renderer.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/hash.h"
+#include "base/bytes.h"
 
 extern "C" {
 #include "fuzz/input.h"

@@ -2,9 +2,10 @@
 //
 // The original updates activations once too often at the start of each step. The test does so, too, to come to the same
 // numbers; what the library does by itself is tested in tests/unit/muscle_test.cpp.
+#include "actuation/muscle.h"
+
 #include <gtest/gtest.h>
 
-#include "actuation/muscle_curves.h"
 #include "support/block.h"
 #include "support/recording.h"
 

@@ -9,7 +9,6 @@
 
 #include "base/format.h"
 #include "compat/mujoco.h"
-#include "senses/touch/spacing.h"
 #include "senses/touch/surface.h"
 #include "support/recording.h"
 

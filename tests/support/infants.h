@@ -7,7 +7,6 @@
 
 #include "document/xml.h"
 #include "growth/growth.h"
-#include "growth/parts.h"
 #include "growth/skeleton.h"
 #include "scene/anatomy.h"
 #include "scene/scene.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/fail.h"
 #include "base/format.h"
-#include "base/status.h"
 #include "compat/mujoco.h"
 #include "engine/physics.h"
 #include "support/numbers.h"

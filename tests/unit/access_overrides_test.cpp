@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/fingerprint.h"
+#include "engine/model.h"
 #include "support/access.h"
 #include "support/physical.h"
 #include "support/tiny.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "access/access.h"
-#include "actuation/muscle_curves.h"
+#include "actuation/muscle.h"
 #include "support/block.h"
 #include "support/numbers.h"
 #include "support/scenes.h"

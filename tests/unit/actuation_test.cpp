@@ -8,7 +8,7 @@
 
 #include "access/access.h"
 #include "compat/mujoco.h"
-#include "scene/groups.h"
+#include "scene/anatomy.h"
 #include "support/access.h"
 #include "support/block.h"
 #include "support/scenes.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <thread>
 
-#include "batch/current_thread.h"
+#include "batch/threads.h"
 #include "support/worlds.h"
 
 namespace mimo::test {

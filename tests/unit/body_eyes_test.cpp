@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "body/eyes.h"
+#include "body/face.h"
 #include "support/worlds.h"
 
 namespace mimo::test {

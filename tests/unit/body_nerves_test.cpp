@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "body/nerves.h"
-#include "growth/conduction.h"
+#include "body/body.h"
+#include "growth/maturity.h"
 #include "support/infants.h"
 #include "support/tiny.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "document/hulls.h"
+#include "document/mesh_data.h"
 #include "support/files.h"
 #include "support/quiet.h"
 #include "support/scenes.h"

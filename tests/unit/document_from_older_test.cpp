@@ -10,7 +10,7 @@
 
 #include "compat/mujoco.h"
 #include "document/composites.h"
-#include "document/from_older_mujoco.h"
+#include "document/other_versions.h"
 #include "document/xml.h"
 #include "support/quiet.h"
 #include "support/scenes.h"

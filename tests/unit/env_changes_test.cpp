@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "access/access.h"
-#include "env/gaze.h"
 #include "env/state.h"
+#include "env/world.h"
 #include "support/worlds.h"
 
 namespace mimo::test {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body/nerves.h"
+#include "body/body.h"
 #include "env/description.h"
-#include "growth/conduction.h"
+#include "growth/maturity.h"
 #include "support/block.h"
 #include "support/scenes.h"
 

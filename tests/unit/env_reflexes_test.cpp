@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/header.h"
-#include "body/nerves.h"
+#include "body/body.h"
 #include "env/attached.h"
 #include "reflexes/table.h"
 #include "support/block.h"

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstring>
 
-#include "base/hash.h"
+#include "base/bytes.h"
 #include "compat/mujoco.h"
 #include "env/state.h"
 #include "support/worlds.h"

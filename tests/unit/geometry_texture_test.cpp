@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "compat/mujoco.h"
-#include "geometry/geoms.h"
+#include "geometry/mesh.h"
 #include "geometry/texture.h"
-#include "render/projection.h"
+#include "render/renderer.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {

@@ -3,11 +3,9 @@
 
 #include <map>
 
-#include "growth/closure.h"
-#include "growth/grow.h"
-#include "growth/kinematics.h"
-#include "growth/load.h"
-#include "growth/masses.h"
+#include "growth/growth.h"
+#include "growth/mechanics.h"
+#include "growth/sizes.h"
 #include "support/infants.h"
 #include "support/numbers.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <random>
 
-#include "growth/grow.h"
-#include "growth/kinematics.h"
+#include "growth/growth.h"
+#include "growth/mechanics.h"
 #include "support/infants.h"
 
 namespace mimo::test {

@@ -5,10 +5,10 @@
 #include <map>
 #include <optional>
 
-#include "growth/grow.h"
-#include "growth/kinematics.h"
-#include "growth/original/measures.h"
-#include "growth/parts.h"
+#include "growth/growth.h"
+#include "growth/mechanics.h"
+#include "growth/original/original.h"
+#include "growth/skeleton.h"
 #include "repository_paths.h"
 #include "support/infants.h"
 #include "support/numbers.h"

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "engine/physics.h"
-#include "growth/grow.h"
-#include "growth/kinematics.h"
-#include "growth/parts.h"
+#include "growth/growth.h"
+#include "growth/mechanics.h"
+#include "growth/skeleton.h"
 #include "support/infants.h"
 
 namespace mimo::test {

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <map>
 
-#include "base/angle.h"
-#include "growth/closure.h"
-#include "growth/grow.h"
-#include "growth/load.h"
-#include "growth/parts.h"
-#include "growth/solids.h"
+#include "base/numbers.h"
+#include "growth/growth.h"
+#include "growth/mechanics.h"
+#include "growth/sizes.h"
+#include "growth/skeleton.h"
 #include "support/infants.h"
 #include "support/numbers.h"
 

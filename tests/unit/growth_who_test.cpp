@@ -5,13 +5,10 @@
 #include <functional>
 #include <map>
 
-#include "growth/closure.h"
-#include "growth/drivers.h"
-#include "growth/grow.h"
-#include "growth/kinematics.h"
-#include "growth/parts.h"
-#include "growth/proportions.h"
+#include "growth/growth.h"
+#include "growth/mechanics.h"
 #include "growth/sizes.h"
+#include "growth/skeleton.h"
 #include "growth/who.h"
 #include "repository_paths.h"
 #include "support/infants.h"

@@ -5,7 +5,7 @@
 #include <new>
 #include <thread>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "support/scenes.h"
 #include "unit/rays/support.h"
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/status.h"
-#include "body/faces.h"
+#include "base/fail.h"
+#include "body/face.h"
 #include "render/renderer.h"
 #include "support/access.h"
 #include "support/worlds.h"

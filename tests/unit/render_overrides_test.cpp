@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "render/renderer.h"
 #include "support/access.h"
 #include "support/tiny.h"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "body/stored_pose.h"
+#include "body/body.h"
 #include "compat/mujoco.h"
 #include "engine/physics.h"
 #include "support/files.h"

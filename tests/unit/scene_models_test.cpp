@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/custom.h"
+#include "engine/model.h"
 #include "engine/physics.h"
 #include "support/files.h"
 #include "support/physical.h"

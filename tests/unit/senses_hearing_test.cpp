@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "base/random.h"
 #include "env/attached.h"
-#include "hearing/head.h"
+#include "hearing/ears.h"
 #include "mimo/experimental/hearing.h"
 #include "support/block.h"
 #include "support/scenes.h"

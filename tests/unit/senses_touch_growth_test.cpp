@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/format.h"
-#include "senses/touch/spread.h"
+#include "senses/touch/felt.h"
 #include "senses/touch/touch.h"
 #include "support/scenes.h"
 #include "support/tiny.h"

@@ -10,7 +10,7 @@
 #include "base/random.h"
 #include "compat/mujoco.h"
 #include "engine/model.h"
-#include "solver/inertia.h"
+#include "solver/matrices.h"
 #include "support/random_model.h"
 
 #if !MIMO_MUJOCO_4

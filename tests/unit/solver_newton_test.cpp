@@ -7,7 +7,6 @@
 
 #include "base/random.h"
 #include "compat/mujoco.h"
-#include "solver/line_search.h"
 #include "solver/newton.h"
 #include "support/random_model.h"
 #include "support/scenes.h"

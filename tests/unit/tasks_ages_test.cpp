@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/angle.h"
 #include "base/format.h"
-#include "engine/joints.h"
+#include "base/numbers.h"
+#include "engine/model.h"
 #include "support/scenes.h"
 #include "support/tiny.h"
 

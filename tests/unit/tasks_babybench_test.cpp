@@ -8,7 +8,7 @@
 #include <map>
 #include <numeric>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "support/block.h"
 #include "support/scenes.h"
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <random>
 
-#include "base/angle.h"
-#include "engine/ground.h"
-#include "engine/joints.h"
+#include "base/numbers.h"
+#include "engine/contacts.h"
+#include "engine/model.h"
 #include "support/block.h"
 #include "support/scenes.h"
 #include "support/tiny.h"

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/bits.h"
 #include "base/fail.h"
+#include "base/numbers.h"
 #include "mimo/experimental/hearing.h"
-#include "observation/signals.h"
+#include "observation/sense.h"
 
 namespace mimo::senses {
 namespace {

@@ -1,15 +1,35 @@
-// The touch afferents of a skin, sensor by sensor: SA1, RA, PC, SA2. Forces are smoothed first, as contacts of physics
-// chatter.
+// The touch afferents of a skin, sensor by sensor: SA1, RA, PC, SA2, and the patch of skin that each sensor stands for.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "base/bytes.h"
+#include "body/body.h"
+#include "receptors/skin.h"
 #include "senses/touch/felt.h"
-#include "senses/touch/patches.h"
 #include "senses/touch/rattle.h"
-#include "senses/touch/restless.h"
-#include "senses/touch/things.h"
+#include "senses/touch/skin.h"
 
 namespace mimo::senses::touch {
+
+// What is fixed of each sensor as a patch of skin: its region, how wide it is, what it stands for.
+
+struct Patch {
+  receptors::Region region;
+  double spacing;    // m; not wider than all skin of its body
+  double afferents;  // of all kinds
+};
+
+// By the name of a body of an infant; anything unknown is trunk.
+receptors::Region region_of(const std::string& name);
+
+// An infant has as many afferents as anybody, at any age, wherever its skin has sensors: each part has a share by its
+// area and density at 18 months, which its sensors share equally. Bodies that are no infants have the densities alone.
+std::vector<Patch> patches(const mjModel& model, const body::Body& body, const Skin& skin);
+
+// The touch afferents of a skin, sensor by sensor: SA1, RA, PC, SA2. Forces are smoothed first, as contacts of physics
+// chatter.
 
 class Afferents {
  public:

@@ -1,14 +1,95 @@
 // The skin of an infant: all its sensors, and what is needed to tell who feels a touch. Immutable once made.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <vector>
 
+#include "base/span.h"
 #include "engine/contacts.h"
-#include "senses/touch/point_tree.h"
 #include "senses/touch/sensors.h"
-#include "senses/touch/unfold.h"
+#include "senses/touch/shape.h"
 
 namespace mimo::senses::touch {
+
+// A k-d tree of points: which one is nearest, which ones are near. Queries allocate nothing.
+
+struct NearestPoint {
+  int id = -1;                                              // -1: none
+  double square = std::numeric_limits<double>::infinity();  // of the distance, m^2
+};
+
+class PointTree {
+ public:
+  PointTree() = default;
+  // Point i gets the id first_id + i.
+  PointTree(Span<const Vec3> points, int first_id);
+
+  bool empty() const { return nodes_.empty(); }
+  // The nearest point, or `best` if that is nearer still.
+  NearestPoint nearest(const Vec3& place, NearestPoint best = {}) const;
+
+  // Calls visit(id, square of the distance) for every point within a radius.
+  template <typename Visit>
+  void within(const Vec3& place, double radius, Visit&& visit) const {
+    visit_near(place, radius * radius, 0, nodes_.size(), visit);
+  }
+
+ private:
+  // A range of nodes is a subtree; its root stands in the middle, lower coordinates before it.
+  struct Node {
+    Vec3 place;
+    int id;
+    int axis;
+  };
+
+  void build(std::size_t begin, std::size_t end);
+  void search(const Vec3& place, std::size_t begin, std::size_t end, NearestPoint& best) const;
+
+  template <typename Visit>
+  void visit_near(const Vec3& place, double limit, std::size_t begin, std::size_t end, Visit& visit) const {
+    if (begin == end) return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const Node& node = nodes_[middle];
+    const double square = (node.place - place).squaredNorm();
+    if (square <= limit) visit(node.id, square);
+    const double beyond = place[node.axis] - node.place[node.axis];
+    if (beyond <= 0 || beyond * beyond <= limit) visit_near(place, limit, begin, middle, visit);
+    if (beyond >= 0 || beyond * beyond <= limit) visit_near(place, limit, middle + 1, end, visit);
+  }
+
+  std::vector<Node> nodes_;
+};
+
+// The skin around each sensor, laid out flat.
+//
+// Distances along the skin are what decides who feels a touch. So each sensor keeps a small map of its surroundings:
+// its neighbours' places on the skin as if it were unrolled around the sensor (a discrete exponential map, after
+// Schmidt, Grimm and Wyvill 2006). The other side of a thin part, near through the air, is far away on that map.
+
+// A sensor's place on another's map.
+struct Neighbour {
+  int sensor;
+  float x, y;  // along the map owner's first and second tangent, m
+};
+
+class Maps {
+ public:
+  // Adds the maps of a body's sensors, which are numbered from `first` on. A map reaches `reach` along the skin.
+  void add(const BodySensors& skin, int first, double reach);
+
+  // From the near to the far; the first is the sensor itself.
+  Span<const Neighbour> of(int sensor) const {
+    const std::size_t begin = starts_[static_cast<std::size_t>(sensor)];
+    return {neighbours_.data() + begin, starts_[static_cast<std::size_t>(sensor) + 1] - begin};
+  }
+  std::size_t largest() const { return largest_; }
+
+ private:
+  std::vector<std::size_t> starts_{0};
+  std::vector<Neighbour> neighbours_;
+  std::size_t largest_ = 0;
+};
 
 struct BodySpacing {
   int body;

@@ -1,6 +1,7 @@
 // Points spread over the surface of one geom, a given distance apart. Counts and places are those of the original.
 #pragma once
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,5 +37,10 @@ Surface sample_capsule(double radius, double half_length, double spacing);
 Surface sample_cylinder(double radius, double half_length, double spacing);
 Surface sample_mesh(const Hull& hull, double spacing);
 Surface single_point();
+
+// How far apart touch sensors are on each part of the body.
+
+// Distance in metres by a body's name without its agent's prefix; 0, no skin, for bodies that are not the infant's own.
+double default_spacing(std::string_view body);
 
 }  // namespace mimo::senses::touch

@@ -1,14 +1,45 @@
-// The sense of touch: what the sensors of the skin feel of the contacts of the last physics step.
+// The sense of touch: the forces of the last physics step's contacts at the sensors, and what the nerves of the skin
+// report.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "body/body.h"
+#include "mimo/experimental/receptors.h"
 #include "observation/sense.h"
-#include "senses/touch/options.h"
-#include "senses/touch/press.h"
+#include "senses/touch/felt.h"
 
 namespace mimo::senses {
+
+// What an agent's touch is made of: the inner form of the touch fields of mimo_agent_config.
+
+// Of the header.
+enum class TouchFrame : std::int32_t { kBody = MIMO_FRAME_BODY, kWorld = MIMO_FRAME_WORLD, kSkin = MIMO_FRAME_SKIN };
+
+// Of MIMO_TOUCH_, what the nerves of the skin tell, each sensor by itself; in Hz, and in degrees Celsius.
+constexpr std::uint32_t kTouchNerves = MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2;
+constexpr std::uint32_t kWarmthNerves = MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM;
+constexpr std::uint32_t kPainNerves = MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
+constexpr std::uint32_t kSkinNerves = kTouchNerves | kWarmthNerves | kPainNerves | MIMO_TOUCH_UNITS;
+
+struct TouchOptions {
+  std::uint32_t wanted = MIMO_TOUCH_FORCE;  // MIMO_TOUCH_ bits
+  touch::Response response = touch::Response::kLinear;
+  TouchFrame frame = TouchFrame::kBody;
+  double scale = 1;                       // divides the spacing of every body that has none of its own below
+  double slip_threshold = 0.005;          // m/s; slower slip counts as none
+  std::optional<double> everywhere;       // m; in place of the usual spacings
+  std::map<std::string, double> spacing;  // m, by body name without the agent's prefix; 0: no skin there
+};
+
+// Throws Status::kInvalidArgument for outputs that exclude each other.
+void check_outputs(const TouchOptions& options);
+
+// The sense of touch: what the sensors of the skin feel of the contacts of the last physics step.
 
 // The bodies that get a skin, with their spacings. Throws for a body by name that is not there or cannot be touched.
 std::vector<touch::BodySpacing> spacings(const mjModel& model, const body::Body& body, const TouchOptions& options);
@@ -46,5 +77,12 @@ class Touch : public observation::Sense {
   std::vector<double> pressure_;  // by sensor, N; zero between writes
   std::vector<int> pressed_;      // the sensors where it is not
 };
+
+// What the nerves of a skin tell: touch afferents, temperature, pain. Beside what Touch says of forces.
+
+// `tick` is the time from one advance of its process to the next, s.
+std::unique_ptr<observation::Sense> make_skin_sense(const mjModel& model, const body::Body& body,
+                                                    std::shared_ptr<const touch::Skin> skin,
+                                                    const TouchOptions& options, touch::ThingsPtr things, double tick);
 
 }  // namespace mimo::senses

@@ -1,6 +1,4 @@
 // What is felt of commands: an elbow with a motor of gear 3 that is told 0.5, and a lock that holds it at 0.25 rad.
-#include "actuation/feedback.h"
-
 #include <gtest/gtest.h>
 
 #include "actuation/actuation.h"

@@ -1,7 +1,7 @@
 // Which agents go together, and with which bodies, roots, places and motors. The messages are part of the interface.
 #include "blueprint/agents.h"
 
-#include "scene/groups.h"
+#include "scene/anatomy.h"
 #include "unit/blueprint/fixture.h"
 
 namespace mimo::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "blueprint/blueprint.h"
 #include "support/worlds.h"
 

@@ -1,6 +1,4 @@
 // Built-in pictures that are decoded before a model is compiled: the compiler makes the same textures of them.
-#include "document/pictures.h"
-
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -8,7 +6,7 @@
 
 #include "compat/mujoco.h"
 #include "document/library.h"
-#include "engine/pictures.h"
+#include "engine/compiler.h"
 
 namespace mimo::test {
 namespace {

@@ -1,12 +1,69 @@
-// Models that do not compile: MuJoCo's message comes back as an error, and nothing else happens.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <string>
+#include <thread>
 
+#include "base/fail.h"
 #include "compat/mujoco.h"
+#include "engine/compiler.h"
+#include "engine/hooks.h"
+#include "engine/model.h"
 #include "support/quiet.h"
 #include "support/tiny.h"
+
+namespace mimo::engine {
+namespace {
+
+int compile_in_the_child() {
+  alarm(30);
+  try {
+    const CompileLock lock;
+    return 0;
+  } catch (const Error& error) {
+    return static_cast<int>(-static_cast<std::int32_t>(error.status()));
+  }
+}
+
+int exit_status_of_a_child() {
+  const pid_t child = fork();
+  if (child == 0) _exit(compile_in_the_child());
+  int status = -1;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(CompileLock, ForkWaitsUntilNobodyCompiles) {
+  std::atomic<bool> compiling{false}, done{false};
+  std::thread other([&] {
+    const CompileLock lock;
+    compiling = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    done = true;
+  });
+  while (!compiling) std::this_thread::yield();
+  EXPECT_EQ(exit_status_of_a_child(), 0);
+  EXPECT_TRUE(done);
+  other.join();
+  const CompileLock still_opens;
+}
+
+// As a signal handler may do that interrupts the compiler: nobody could wait for it.
+TEST(CompileLock, AChildOfTheCompilingThreadIsRefused) {
+  {
+    const CompileLock lock;
+    EXPECT_EQ(exit_status_of_a_child(), -static_cast<int>(Status::kForked));
+  }
+  EXPECT_EQ(exit_status_of_a_child(), 0);
+}
+
+}  // namespace
+
+}  // namespace mimo::engine
 
 namespace mimo::test {
 namespace {
@@ -93,5 +150,56 @@ TEST_F(EngineCompile, NamesAreFound) {
                [&] { engine::find_or_fail(*model, engine::Kind::kSensor, "bal"); });
 }
 
+using engine::ModelPtr;
+
+// A ball of a size, with a picture of a colour and a width.
+ModelPtr painted(const std::string& size, const std::string& color, int width = 16) {
+  return engine::compile("<mujoco><asset><texture name='t' type='2d' builtin='flat' rgb1='" + color + "' width='" +
+                             std::to_string(width) +
+                             "' height='17'/><material name='m' texture='t'/></asset><worldbody>" + "<geom size='" +
+                             size + "' material='m'/></worldbody></mujoco>",
+                         {}, {});
+}
+
+TEST(Textures, OfTheSamePicturesAreShared) {
+  const ModelPtr owner = painted("1", "1 0 0"), model = painted("2", "1 0 0");
+  const ModelPtr slim = engine::with_textures_of(owner, model);
+  ASSERT_NE(slim, model);
+  EXPECT_EQ((*slim).*compat::kPixels, (*owner).*compat::kPixels);
+  EXPECT_EQ(slim->ntexdata, 3 * 16 * 17);
+  EXPECT_EQ(engine::fingerprint(*slim), engine::fingerprint(*model));
+  EXPECT_EQ(slim->geom_size[0], 2);
+  EXPECT_EQ(compat::color_texture(*slim, 0), 0);
+  EXPECT_STREQ(mj_id2name(slim.get(), mjOBJ_MATERIAL, 0), "m");
+}
+
+TEST(Textures, LiveAsLongAsAModelUsesThem) {
+  ModelPtr owner = painted("1", "1 0 0");
+  const ModelPtr slim = engine::with_textures_of(owner, painted("2", "1 0 0"));
+  owner.reset();
+  EXPECT_EQ(((*slim).*compat::kPixels)[0], 255);
+  EXPECT_EQ(((*slim).*compat::kPixels)[3 * 16 * 17 - 1], 0);
+}
+
+TEST(Textures, AreCopiedWithTheModel) {
+  const ModelPtr slim = engine::with_textures_of(painted("1", "1 0 0"), painted("2", "1 0 0"));
+  mjModel* copy = mj_copyModel(nullptr, slim.get());
+  EXPECT_NE((*copy).*compat::kPixels, (*slim).*compat::kPixels);
+  EXPECT_EQ(((*copy).*compat::kPixels)[0], 255);
+  mj_deleteModel(copy);
+}
+
+TEST(Textures, OfOtherPicturesStay) {
+  const ModelPtr owner = painted("1", "1 0 0"), blue = painted("1", "0 0 1"), wide = painted("1", "1 0 0", 32);
+  EXPECT_EQ(engine::with_textures_of(owner, blue), blue);
+  EXPECT_EQ(engine::with_textures_of(owner, wide), wide);
+  EXPECT_EQ(engine::with_textures_of(owner, owner), owner);
+}
+
 }  // namespace
+
+// Models that do not compile: MuJoCo's message comes back as an error, and nothing else happens.
+
+// Models that have the same textures hold them once.
+
 }  // namespace mimo::test

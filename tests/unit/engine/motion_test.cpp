@@ -1,12 +1,11 @@
 // What places on bodies feel, against MuJoCo's own accelerometers and gyroscopes.
-#include "engine/motion.h"
-
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include <string>
 
 #include "engine/physics.h"
+#include "engine/present.h"
 #include "support/numbers.h"
 
 namespace mimo::test {

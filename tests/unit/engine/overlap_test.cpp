@@ -7,7 +7,6 @@
 #include <string>
 
 #include "engine/contacts.h"
-#include "engine/ground.h"
 #include "engine/physics.h"
 #include "support/numbers.h"
 

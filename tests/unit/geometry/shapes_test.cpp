@@ -1,6 +1,4 @@
 // Shapes as triangles: closed, turned outwards, on the surface, and with the volumes of geometry books.
-#include "geometry/shapes.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,6 +6,8 @@
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "geometry/mesh.h"
 
 namespace mimo::geometry {
 namespace {

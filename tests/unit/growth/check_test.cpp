@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "base/status.h"
-#include "growth/grow.h"
+#include "base/fail.h"
+#include "growth/growth.h"
 
 namespace mimo::test {
 namespace {

@@ -1,14 +1,11 @@
 // Poses, lowest points and loads of bodies that one can calculate by hand.
-#include "growth/kinematics.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "base/angle.h"
-#include "base/status.h"
-#include "growth/load.h"
-#include "growth/solids.h"
+#include "base/fail.h"
+#include "base/numbers.h"
+#include "growth/mechanics.h"
 
 namespace mimo::test {
 namespace {

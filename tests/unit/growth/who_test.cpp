@@ -6,8 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "growth/curve.h"
-#include "growth/drivers.h"
 #include "repository_paths.h"
 #include "support/numbers.h"
 #include "support/table.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "sound/air.h"
 #include "unit/hearing/exact_sphere.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 
 namespace mimo::hearing {
 

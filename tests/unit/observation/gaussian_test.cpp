@@ -1,10 +1,10 @@
 // The Gaussian's weights.
-#include "observation/gaussian.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "observation/blur.h"
 
 namespace mimo::observation {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "observation/observer.h"
 #include "unit/observation/parts.h"
 

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "unit/observation/parts.h"
 
 namespace mimo::observation {

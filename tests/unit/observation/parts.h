@@ -1,7 +1,7 @@
 // A simulation without MuJoCo, of which the room knows but the names, and fields to sense of it.
 #pragma once
 
-#include "observation/signals.h"
+#include "observation/sense.h"
 
 struct mjModel_ {};
 struct mjData_ {

@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "opengl/context.h"
-#include "opengl/platform.h"
 #include "unit/opengl/fixture.h"
 
 namespace mimo::opengl::test {

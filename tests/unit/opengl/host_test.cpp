@@ -10,7 +10,7 @@
 #include <cstdlib>
 
 #include "engine/guard.h"
-#include "opengl/import_slot.h"
+#include "opengl/loaded_library.h"
 #include "opengl/osmesa.h"
 #include "unit/opengl/fixture.h"
 

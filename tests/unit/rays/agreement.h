@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "opengl/renderer.h"
 #include "unit/rays/support.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "compat/mujoco.h"
 #include "unit/rays/support.h"
 

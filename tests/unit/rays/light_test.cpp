@@ -1,7 +1,7 @@
 // Light and colour of the ray renderer, against OpenGL's formulas written out here.
 #include <algorithm>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "unit/rays/support.h"
 
 namespace mimo::test {

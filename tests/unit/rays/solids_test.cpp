@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <random>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "compat/mujoco.h"
 #include "unit/rays/support.h"
 

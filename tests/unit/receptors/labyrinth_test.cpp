@@ -1,4 +1,6 @@
 // The labyrinth's afferents against the numbers of their sources.
+#include "receptors/labyrinth.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,10 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/angle.h"
-#include "receptors/canals.h"
-#include "receptors/gravity_estimate.h"
-#include "receptors/maculae.h"
+#include "base/numbers.h"
 
 namespace mimo::receptors {
 namespace {

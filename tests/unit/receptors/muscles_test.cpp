@@ -1,12 +1,10 @@
 // Spindles, tendon organs and joint receptors against the numbers of their sources.
+#include "receptors/muscles.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "receptors/joint_receptor.h"
-#include "receptors/spindle.h"
-#include "receptors/tendon_organ.h"
 
 namespace mimo::receptors {
 namespace {

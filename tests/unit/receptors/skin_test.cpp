@@ -1,13 +1,9 @@
 // Touch afferents, temperature and pain against the numbers of their sources.
+#include "receptors/skin.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "receptors/innervation.h"
-#include "receptors/nociceptors.h"
-#include "receptors/skin_temperature.h"
-#include "receptors/thermoreceptors.h"
-#include "receptors/touch_afferents.h"
 
 namespace mimo::receptors {
 namespace {

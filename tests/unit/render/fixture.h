@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/status.h"
+#include "base/fail.h"
 #include "engine/physics.h"
 #include "render/renderer.h"
 

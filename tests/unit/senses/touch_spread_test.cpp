@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "senses/touch/spread.h"
+#include "senses/touch/felt.h"
 #include "support/tiny.h"
 
 namespace mimo::senses::touch {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "sound/air.h"
-#include "sound/ringing.h"
+#include "sound/impact.h"
 
 namespace mimo::sound {
 namespace {

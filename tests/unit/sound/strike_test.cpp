@@ -1,13 +1,11 @@
 // Blows: how long things touch, how loud that is, what rings.
-#include "sound/strike.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "sound/air.h"
-#include "sound/ringing.h"
+#include "sound/impact.h"
 
 namespace mimo::sound {
 namespace {

@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-#include "base/angle.h"
+#include "base/numbers.h"
 #include "sound/air.h"
 
 namespace mimo::sound {
