@@ -19,12 +19,8 @@
 #include "tasks/task.h"
 
 namespace mimo::sound {
-
-// What one agent senses: an infant, or any other part of a model.
-
 struct Utterance;
-
-}  // namespace mimo::sound
+}
 
 namespace mimo::senses {
 

@@ -16,10 +16,8 @@
 #include "render/renderer.h"
 
 namespace mimo::senses {
-
 class Soundscape;
-
-}  // namespace mimo::senses
+}
 
 namespace mimo::env {
 

@@ -51,7 +51,7 @@ TEST(Mass, RestingBodyWeighsIt) {
 }
 
 // Everything that MuJoCo's compiler derives from masses is as if it had compiled these.
-TEST(Mass, IsAsIfCompiledSo) {
+TEST(Mass, EqualsRecompiling) {
   const auto arm = [](double upper, double lower) {
     const auto box = [](double mass) {
       return "<inertial pos='0 0 -.1' mass='" + std::to_string(mass) + "' diaginertia='" + std::to_string(mass * 0.01) +
@@ -104,7 +104,7 @@ TEST(Size, SetsHowHighABallRests) {
 }
 
 // The sphere around a geom, which decides what is looked at for contacts, is the compiler's.
-TEST(Size, IsAsIfCompiledSo) {
+TEST(Size, EqualsRecompiling) {
   const auto shapes = [](double scale) {
     std::string bodies;
     for (const char* type : {"sphere", "capsule", "ellipsoid", "cylinder", "box"}) {

@@ -123,7 +123,7 @@ TEST_F(EnvAccess, BodyVelocityIsLinearThenAngular) {
   EXPECT_TRUE(close(velocity, get(MIMO_BODY_VELOCITY, {ball}).data()));
 }
 
-TEST_F(EnvAccess, WrittenIsRead) {
+TEST_F(EnvAccess, ReadsWhatWasWritten) {
   const int knee = id(MIMO_JOINT, "robot:left_knee"), ball = id(MIMO_BODY, "test_object2");
   const Ids joints = {knee, model().body_jntadr[ball]};
   const Values places = {-0.5, 1, 2, 3, 0.5, 0.5, -0.5, 0.5};
@@ -159,7 +159,7 @@ TEST_F(EnvAccess, MovingABallByItsBody) {
 }
 
 // Setting what is there already leaves the trajectory to the bit.
-TEST_F(EnvAccess, LookingAndRewritingLeaveTheTrajectory) {
+TEST_F(EnvAccess, ReadingAndRewritingKeepTheTrajectory) {
   engine::Physics plain(benchmark_model(), {});
   for (int step = 0; step < 120; ++step) {
     plain.step(1);
@@ -240,7 +240,7 @@ TEST_F(EnvAccess, Poses) {
 
 // Of now: what an update would give, while the values of the last step and the trajectory stay. A falling ball tells
 // the two apart: its last step started where it was one step ago.
-TEST_F(EnvAccess, NowIsAfterTheStep) {
+TEST_F(EnvAccess, CurrentPosesAreThoseAfterTheStep) {
   env::World twin(benchmark_model(), {}, {});
   const int ball = id(MIMO_BODY, "test_object2");
   set(MIMO_BODY_POSITION, {ball}, {3, 3, 5});

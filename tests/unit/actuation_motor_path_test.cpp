@@ -38,7 +38,7 @@ int motor(const env::World& world, const char* name) {
 double told(const env::World& world, const char* name) { return world.data().ctrl[motor(world, name)]; }
 
 // A delay of 30 ms is three steps of 10 ms; before, motors are told nothing.
-TEST(MotorPath, DelayIsExactAndOfThatMotorOnly) {
+TEST(MotorPath, DelaysExactlyThatMotorAlone) {
   const auto world = world_with({some("act:left_elbow", delay(0.03))});
   for (int i = 1; i <= 6; ++i) {
     step_all(*world, 0.1F * static_cast<float>(i));
@@ -48,7 +48,7 @@ TEST(MotorPath, DelayIsExactAndOfThatMotorOnly) {
 }
 
 // What is on its way arrives, and then the motor stays as it was told last.
-TEST(MotorPath, ArrivesAlsoInStepsWithoutActions) {
+TEST(MotorPath, DeliversCommandsInStepsWithoutActions) {
   const auto world = world_with({some("act:", delay(0.02))});
   step_all(*world, 0.5F);
   world->step({}, nullptr, {});
@@ -59,7 +59,7 @@ TEST(MotorPath, ArrivesAlsoInStepsWithoutActions) {
   EXPECT_EQ(told(*world, "act:left_elbow"), 0.5);
 }
 
-TEST(MotorPath, AResetForgetsWhatIsOnItsWay) {
+TEST(MotorPath, ResetDropsCommandsInTransit) {
   const auto world = world_with({some("act:", delay(0.02))});
   step_all(*world, 0.5F);
   world->reset(nullptr, nullptr);
@@ -138,12 +138,12 @@ TEST(MotorPath, WorksForAnglesAndMuscles) {
   EXPECT_NEAR(told(*muscles, "act:left_knee"), told(*perfect, "act:left_knee"), 1e-3);
 }
 
-TEST(MotorPath, WithoutLimitsThereIsNone) {
+TEST(MotorPath, DoesNotExistWithoutLimits) {
   EXPECT_EQ(world_with({})->agents()[0].path, nullptr);
   EXPECT_EQ(world_with({some("act:", {})})->agents()[0].path, nullptr);
 }
 
-TEST(MotorPath, RefusesAPathThatLeadsNowhere) {
+TEST(MotorPath, RefusesAnUnknownPath) {
   expect_error(Status::kNotFound,
                "limits: no motor \"act:tail\"; the agent has: act:", [] { world_with({some("act:tail", delay(1))}); });
 }

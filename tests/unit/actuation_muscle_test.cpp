@@ -128,7 +128,7 @@ TEST(Muscle, TorqueOfTheElbow) {
 
 // At length 1, at rest and without passive force, a muscle pulls with its activation's share of its peak force, in
 // both models.
-TEST(Muscle, PullsItsPeakForceAtItsBest) {
+TEST(Muscle, PullsItsPeakForceAtItsBestLength) {
   for (const Mode mode : {Mode::kMuscle, Mode::kMujocoMuscle}) {
     const auto world = muscular(mode);
     run(*world, all(*world, 1), 100);

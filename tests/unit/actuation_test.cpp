@@ -177,7 +177,7 @@ TEST(Locks, HoldAJointAndLetItGo) {
   EXPECT_GT(angle(*world, "robot:right_elbow"), -0.1);
 }
 
-TEST(Locks, OfTheSceneCanBeOpened) {
+TEST(Locks, OpenLocksOfTheScene) {
   World world(room_with_infant("selfbody"), {blind()}, without_renderer());
   const int knee = joint_id(world, "robot:right_knee");
   run(world, {}, 50);
@@ -187,7 +187,7 @@ TEST(Locks, OfTheSceneCanBeOpened) {
   EXPECT_GT(std::abs(angle(world, "robot:right_knee") + 1.85), 0.03);
 }
 
-TEST(Locks, AreRefusedWhereThereAreNone) {
+TEST(Locks, AreRefusedWithoutLocks) {
   const auto world = floating();
   expect_error(Status::kUnsupported, "mimo_orientation", [&] {
     set(*world, MIMO_JOINT_LOCK, {joint_id(*world, "mimo_orientation")}, {1, 0});
@@ -228,7 +228,7 @@ TEST(Overrides, StayInTheirWorld) {
   EXPECT_NE(angle(*changed, "robot:left_elbow"), angle(*one, "robot:left_elbow"));
 }
 
-TEST(Overrides, ShareWhatTheyDoNotChange) {
+TEST(Overrides, ShareUnchangedArrays) {
   const auto world = floating();
   EXPECT_EQ(world->model().eq_data, free_room()->eq_data);
   set(*world, MIMO_JOINT_LOCK, {joint_id(*world, "robot:right_elbow")}, {1, -1});

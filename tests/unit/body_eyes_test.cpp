@@ -43,7 +43,7 @@ class Looking : public ::testing::Test {
   body::Eyes eyes_;
 };
 
-TEST_F(Looking, StraightAheadAtRest) {
+TEST_F(Looking, EyesLookAheadAtRest) {
   const body::Gaze rest = gaze();
   EXPECT_TRUE(rest.left.direction.isApprox(Vector3d(1, 0, 0), 1e-9));
   EXPECT_TRUE(rest.right.direction.isApprox(Vector3d(1, 0, 0), 1e-9));

@@ -44,7 +44,7 @@ std::string infant(const std::string& inside) {
          inside + "</body></body></worldbody></mujoco>";
 }
 
-TEST(BodyFind, PartsMayBeAbsent) {
+TEST(BodyFind, AcceptsMissingParts) {
   const engine::ModelPtr model = compiled(infant("<geom size='0.1' mass='1'/>"));
   const body::Body body = body::find_body(*model, "");
   EXPECT_TRUE(body.joints.empty() && body.actuators.empty() && body.torques.empty());

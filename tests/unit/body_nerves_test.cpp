@@ -79,7 +79,7 @@ class Infant {
 
 // Ways from parts of infants to the brain stem, m, by lengths of limbs of the survey of Snyder et al. 1977 and the
 // WHO's; estimates.
-TEST(Nerves, AreAsLongAsInfants) {
+TEST(Nerves, HaveTheLengthOfInfants) {
   const struct {
     const char* part;
     double at_0, at_6, at_18;
@@ -102,7 +102,7 @@ TEST(Nerves, AreAsLongAsInfants) {
 // Waves after a touch of the wrist. N13, at the neck of newborns: measured 10.1 +- .5 ms (Electroencephalogr Clin
 // Neurophysiol 1988;71:100). N20, in the cortex: 38.5 ms by lengths of newborns (measured 38.9 +- 4.7), 20.6 by those
 // of infants of 6 months (measured 20, in infants born early).
-TEST(Nerves, OfInfantsGiveTheirEvokedPotentials) {
+TEST(Nerves, GiveInfantsEvokedPotentials) {
   constexpr double kHalf = 0.0005;
   const growth::Conduction young = growth::conduction_at(0), older = growth::conduction_at(6);
   for (const char* body : {"mitten", "fingers"}) {
@@ -116,7 +116,7 @@ TEST(Nerves, OfInfantsGiveTheirEvokedPotentials) {
 
 // From wrist to neck, .257 m in a newborn, and .34 m from hand to brain stem: N13 was measured at 10.1 ms, N20 at 38.9
 // (Electroencephalogr Clin Neurophysiol 1988;71:100), and at 20 ms with six months.
-TEST(Conduction, IsThatOfEvokedPotentials) {
+TEST(Conduction, AgreesWithEvokedPotentials) {
   const growth::Conduction newborn = growth::conduction_at(0), half_a_year = growth::conduction_at(6);
   EXPECT_NEAR(newborn.along(0.257), 0.0105, 5e-5);
   EXPECT_NEAR(newborn.along(0.257) + newborn.sensory + 0.002, 0.0385, 1e-4);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr Config kDefaults = {sizeof(Config), 1, 7};
 
-TEST(CapiStructs, WhatAnOldCallerLacksIsZero) {
+TEST(CapiStructs, FillMissingMembersWithZero) {
   const Config old = {8, 5, 99};  // what lies behind its 8 bytes is not the struct's
   const Config ours = read_struct(&old, kDefaults, "config");
   EXPECT_EQ(ours.first, 5u);
@@ -33,7 +33,7 @@ TEST(CapiStructs, WhatAnOldCallerLacksIsZero) {
 
 TEST(CapiStructs, NullMeansTheDefaults) { EXPECT_EQ(read_struct<Config>(nullptr, kDefaults, "config").later, 7u); }
 
-TEST(CapiStructs, AnOldCallersDescriptionEndsWhereItEnds) {
+TEST(CapiStructs, WriteNothingBeyondAnOldCallersStruct) {
   Config old = {8, 0, 99};
   write_described(&old, {0, 4, 6}, "info");
   EXPECT_EQ(old.first, 4u);

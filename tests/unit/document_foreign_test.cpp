@@ -101,7 +101,7 @@ TEST_F(SceneForeign, MainDefaultsInSeveralSectionsAddUp) {
 }
 
 // What settings do not reach, for a document that becomes an object.
-TEST_F(SceneForeign, SettingsOfAModelCountForItAlone) {
+TEST_F(SceneForeign, SettingsOfAModelApplyToItAlone) {
   for (const std::string setting : kSettings) {
     SCOPED_TRACE(setting);
     const std::string document = "<mujoco><compiler " + setting + "/>" + kRobot + "</mujoco>";
@@ -119,7 +119,7 @@ TEST_F(SceneForeign, SettingsOfAModelCountForItAlone) {
 }
 
 #if !MIMO_MUJOCO_4  // where composites are elements like others
-TEST_F(SceneForeign, WhatTheCompilerMakesCannotBeWeighedAlone) {
+TEST_F(SceneForeign, GeneratedElementsCannotBeWeighedAlone) {
   scene::Scene scene(
       from_text("<mujoco><compiler settotalmass='3'/><worldbody><body><composite type='rope' count='3 1 1' "
                 "spacing='.1'><geom type='capsule' size='.02 .03'/></composite></body></worldbody></mujoco>"));
@@ -167,7 +167,7 @@ TEST_F(SceneForeign, MotorsWithAStateComeLast) {
   EXPECT_STREQ(engine::name(*model, Kind::kActuator, 0), "plain");
 }
 
-TEST_F(SceneForeign, ANameInUseSaysWhatToDo) {
+TEST_F(SceneForeign, ANameInUseIsExplained) {
   scene::Scene scene(from_text("<mujoco><worldbody><body name='head'><geom size='1'/></body></worldbody></mujoco>"));
   const std::string before = scene.xml();
   expect_error(Status::kInvalidArgument, "a body \"head\"; give the agent a name",

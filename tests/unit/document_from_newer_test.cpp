@@ -113,7 +113,7 @@ TEST_F(SceneNewer, LimitOfAJointsForceIsItsOnlyMotors) {
                  "MuJoCo 2.2.2 does not know the attribute actuatorfrcrange of <joint>");
 }
 
-TEST_F(SceneNewer, WhatCannotBeHadIsRefusedByName) {
+TEST_F(SceneNewer, RefusesUnsupportedElementsByName) {
   expect_refused("<mujoco>\n<worldbody>\n<body gravcomp='1'/></worldbody></mujoco>",
                  "xml text, line 3: MuJoCo 2.2.2 does not know the attribute gravcomp of <body> (\"1\")");
   expect_refused("<mujoco><worldbody><frame/></worldbody></mujoco>",
@@ -127,7 +127,7 @@ TEST_F(SceneNewer, WhatCannotBeHadIsRefusedByName) {
 }
 #endif
 
-TEST_F(SceneNewer, OtherNamesForTheSame) {
+TEST_F(SceneNewer, RenamesElements) {
   const Folder folder;
   folder.copy_of(std::string(MIMO_MODELS) + "/textures/ball_c.png", "a/mine.png");
   const std::string path = folder.write(
@@ -158,7 +158,7 @@ TEST_F(SceneNewer, AdhesionIsLimitedByItsClass) {
   EXPECT_EQ(loaded.model->actuator_ctrlrange[1], 2);
 }
 
-TEST_F(SceneNewer, OurRoomsSayNothingThatIsGone) {
+TEST_F(SceneNewer, BuiltInScenesUseNoRemovedMjcf) {
   scene::Scene scene(named("benchmark"));
   scene.add_body("mitten", "", nullptr);
   EXPECT_EQ(scene.xml().find("apirate"), std::string::npos);
@@ -189,7 +189,7 @@ TEST_F(SceneNewer, LensesOfCameras) {
 }
 
 #if !MIMO_MUJOCO_4
-TEST_F(SceneNewer, WhatAFieldOfViewCannotSay) {
+TEST_F(SceneNewer, RefusesCamerasThatNoFieldOfViewDescribes) {
   const std::string sensor = "focal='0.01 0.01' sensorsize='0.0096 0.006' ";
   const auto warned = [](const std::string& camera, const std::string& what) {
     const Loaded loaded = load(filmed(camera));

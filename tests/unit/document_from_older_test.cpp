@@ -126,7 +126,7 @@ void expect_equal(const char* name, const T* ours, const T* theirs, std::size_t 
   }
 }
 
-TEST_P(Composites, BecomeWhatMuJoCo2MakesOfThem) {
+TEST_P(Composites, EqualMuJoCo2sComposites) {
   const engine::ModelPtr mine = expanded(GetParam().xml), theirs = engine::compile(GetParam().xml, {}, {});
   const mjModel* m = theirs.get();
   MJMODEL_POINTERS_PREAMBLE(m)
@@ -162,7 +162,7 @@ Upgraded upgraded(const std::string& xml) {
 
 std::string said(pugi::xml_node node, const char* attribute) { return node.attribute(attribute).value(); }
 
-TEST_F(SceneOlder, SettingsGetTheNamesThatTheyHaveNow) {
+TEST_F(SceneOlder, RenamesSettings) {
   const Upgraded result = upgraded(
       "<compiler><lengthrange inteval='2'/></compiler><option mpr_iterations='7' mpr_tolerance='1e-7'><flag "
       "passive='disable'/></option>");
@@ -178,7 +178,7 @@ TEST_F(SceneOlder, SettingsGetTheNamesThatTheyHaveNow) {
             std::string::npos);
 }
 
-TEST_F(SceneOlder, WhatMovesNothingIsLeftOut) {
+TEST_F(SceneOlder, OmitsSettingsWithoutEffect) {
   const Upgraded result = upgraded(
       "<compiler convexhull='false'/><option apirate='50'><flag sensornoise='enable'/></option><option apirate='60'/>");
   EXPECT_EQ(document::print(result.document).find("apirate"), std::string::npos);
@@ -205,7 +205,7 @@ TEST_F(SceneOlder, CollisionsOfChosenPairs) {
   EXPECT_EQ(upgraded("<option collision='all'/>" + rest).warnings.size(), 1u);
 }
 
-TEST_F(SceneOlder, HowMassLiesInMeshesIsSaidOfThem) {
+TEST_F(SceneOlder, MovesInertiaSettingsToMeshes) {
   const std::string rest =
       "<asset><mesh name='m' file='m.stl'/><mesh file='own.stl' inertia='convex'/></asset><worldbody><geom type='mesh' "
       "mesh='m' shellinertia='true'/><geom size='1' shellinertia='true'/></worldbody>";
@@ -231,7 +231,7 @@ TEST_F(SceneOlder, TheMainClassHasOneName) {
   EXPECT_EQ(said(result.root().select_node("//body").node(), "childclass"), "mine");
 }
 
-TEST_F(SceneOlder, WhatIsGoneIsRefusedWithItsPlace) {
+TEST_F(SceneOlder, RefusesRemovedElementsWithTheirPlace) {
   const auto refused = [](const std::string& xml, const std::string& what) {
     expect_error(Status::kModel, what, [&] { upgraded(xml); });
   };
@@ -259,7 +259,7 @@ TEST_F(SceneOlder, WhatIsGoneIsRefusedWithItsPlace) {
 
 #if MIMO_MUJOCO_4
 
-TEST_F(SceneOlder, IsUpgradedWhenItIsLoaded) {
+TEST_F(SceneOlder, UpgradesDocumentsWhenLoading) {
   std::vector<std::string> warnings;
   scene::Source source = from_text(
       "<mujoco>\n<option apirate='50'>\n<flag passive='disable'/></option><worldbody><body name='B0'><composite "

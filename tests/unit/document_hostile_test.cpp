@@ -95,7 +95,7 @@ TEST_F(SceneHostile, LimitsCanBeRaisedAndLowered) {
   EXPECT_EQ(compile(scene::Scene(source))->ntex, 1);
 }
 
-TEST_F(SceneHostile, PictureFilesThatLie) {
+TEST_F(SceneHostile, PictureFilesWithFalseSizes) {
   const Room raw("<texture type='2d' file='a.bin'/>");
   raw.expect("a.bin", bytes(65536, 65536), "another size than its header says");  // 3 * 2^32 is 0 in 32 bits
   raw.expect("a.bin", bytes(2, 2) + "rgb", "another size");
@@ -150,7 +150,7 @@ TEST_F(SceneHostile, PicturesThatGrowWhenTheyAreRead) {
   EXPECT_EQ(compile(scene::Scene(png.source()))->ntex, 1);
 }
 
-TEST_F(SceneHostile, MeshFilesThatLie) {
+TEST_F(SceneHostile, MeshFilesWithFalseSizes) {
   const Room msh("<mesh file='a.msh'/>");
   const std::string corners = floats(kCorners);
   msh.expect("a.msh", bytes(4, 0, 0, 1) + corners + bytes(0, 1, 1000000), "a face at vertex 1000000, but 4 vertices");
@@ -178,7 +178,7 @@ TEST_F(SceneHostile, MeshFilesThatLie) {
                  "a face at vertex 7, but 4 vertices");
 }
 
-TEST_F(SceneHostile, SkinFilesThatLie) {
+TEST_F(SceneHostile, SkinFilesWithFalseSizes) {
   const Room skin("<skin file='a.skn'/>");
   const std::string corners = floats(kCorners), bone = std::string(40, 'b') + std::string(28, '\0');
   const auto whole = [&](int third, int count) {
@@ -242,13 +242,13 @@ TEST_F(SceneHostile, BuffersThatFillTheMemory) {
   }
 }
 
-TEST_F(SceneHostile, TimeStepsThatAreNone) {
+TEST_F(SceneHostile, InvalidTimeSteps) {
   for (const char* step : {"0", "-0.01", "nan", "inf", "-inf"}) {
     expect_refused("<option timestep='" + std::string(step) + "'/>", std::string("line 2: timestep=\"") + step);
   }
 }
 
-TEST_F(SceneHostile, FilesThatAreNone) {
+TEST_F(SceneHostile, PathsThatAreNotFiles) {
   const Folder folder;
   ASSERT_EQ(::mkfifo(folder.path("pipe.xml").c_str(), 0600), 0);
   ASSERT_EQ(::mkfifo(folder.path("pipe.png").c_str(), 0600), 0);

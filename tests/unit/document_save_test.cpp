@@ -64,7 +64,7 @@ TEST_F(SceneSave, BuiltInScenes) {
 }
 
 // Two files of one name, one with a name that not every disk takes, and meshes that are called after their files.
-TEST_F(SceneSave, FilesOfOnesOwn) {
+TEST_F(SceneSave, UsersFiles) {
   const Folder folder, elsewhere;
   const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   const std::string picture = read(std::string(MIMO_MODELS) + "/textures/ball_c.png");

@@ -115,7 +115,7 @@ TEST_F(SceneSources, UsersOwnIncludesAreBesideTheirFile) {
 }
 
 // The original's scenes keep the infant's parts in a folder of that name: a scene includes them section by section.
-TEST_F(SceneSources, AFolderOfOnesOwnMayBeCalledMimo) {
+TEST_F(SceneSources, AUsersFolderMayBeCalledMimo) {
   const Folder folder;
   folder.write("assets/mimo/meta.xml",
                "<mujoco><compiler angle='degree'/><default><default class='limb'><joint damping='.2' range='-30 30' "
@@ -165,7 +165,7 @@ TEST_F(SceneSources, AFileInAFolderCalledMimo) {
       0);
 }
 
-TEST_F(SceneSources, BadIncludesAreNamed) {
+TEST_F(SceneSources, ReportBadIncludes) {
   expect_error(Status::kNotFound, "no/such.xml",
                [] { scene::Scene scene(from_text("<mujoco><include file='no/such.xml'/></mujoco>")); });
   expect_error(Status::kNotFound, "mimo/octopus.xml",
@@ -237,7 +237,7 @@ TEST_F(SceneSources, ABuiltInPictureGivesHeightsToo) {
 }
 
 // The user's folders are for the user's files only: the infant's own pictures are still found.
-TEST_F(SceneSources, UsersFoldersDoNotReachIntoTheInfant) {
+TEST_F(SceneSources, UsersFoldersDoNotAffectTheInfant) {
   const Folder folder;
   folder.copy_of(kPicture, "pictures/floor.png");
   const std::string path = folder.write(

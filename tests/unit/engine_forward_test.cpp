@@ -31,7 +31,7 @@ std::vector<double> fall(engine::Jacobian jacobian, Look&& look) {
 
 class EngineForward : public ::testing::TestWithParam<engine::Jacobian> {};
 
-TEST_P(EngineForward, ForwardLeavesTheTrajectory) {
+TEST_P(EngineForward, ForwardKeepsTheTrajectory) {
   const std::vector<double> expected = fall(GetParam(), [](engine::Physics&) {});
   EXPECT_EQ(fall(GetParam(), [](engine::Physics& physics) { physics.forward(); }), expected);
   EXPECT_EQ(fall(GetParam(),
@@ -42,7 +42,7 @@ TEST_P(EngineForward, ForwardLeavesTheTrajectory) {
             expected);
 }
 
-TEST_P(EngineForward, UpdatePosesLeavesTheTrajectory) {
+TEST_P(EngineForward, UpdatePosesKeepsTheTrajectory) {
   const std::vector<double> expected = fall(GetParam(), [](engine::Physics&) {});
   EXPECT_EQ(fall(GetParam(), [](engine::Physics& physics) { physics.update_poses(); }), expected);
 }
@@ -114,7 +114,7 @@ TEST(EngineOptions, ContactsAndGravityCanBeOff) {
 }
 
 // A world changes its own copy of the options only.
-TEST(EngineOptions, AreTheWorldsOwn) {
+TEST(EngineOptions, BelongToOneWorld) {
   const engine::ModelPtr model = benchmark_model();
   engine::PhysicsOptions options;
   options.jacobian = engine::Jacobian::kDense;

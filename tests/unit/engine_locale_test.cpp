@@ -82,7 +82,7 @@ void expect_the_infant() {
   EXPECT_TRUE(close(-145 * mjPI / 180, model->jnt_range[2 * knee]));
 }
 
-TEST_F(CommaLocale, OfTheProcess) {
+TEST_F(CommaLocale, DoesNotMatterInTheProcess) {
   expect_exact_numbers();
   expect_the_infant();
   EXPECT_STREQ(std::setlocale(LC_ALL, nullptr), "de_DE.UTF-8");
@@ -90,7 +90,7 @@ TEST_F(CommaLocale, OfTheProcess) {
   EXPECT_EQ(printed(1.5), "1,5");
 }
 
-TEST_F(CommaLocale, OfTheThread) {
+TEST_F(CommaLocale, DoesNotMatterInTheThread) {
   std::setlocale(LC_ALL, "C");
   const locale_t german = ::newlocale(LC_ALL_MASK, "de_DE.UTF-8", nullptr);
   ASSERT_NE(german, nullptr);

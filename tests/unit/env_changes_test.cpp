@@ -25,7 +25,7 @@ void set(env::World& world, mimo_quantity quantity, int id, std::initializer_lis
               Span<const double>(all));
 }
 
-TEST(Changes, AreToldOfAllThatStatesHold) {
+TEST(Changes, CountChangesOfEverythingInAState) {
   const auto world = benchmark_world();
   step(*world, 1);
   const Bytes before = saved(*world);
@@ -45,7 +45,7 @@ TEST(Changes, AreToldOfAllThatStatesHold) {
   expect_told(*world, "follow", [&] { world->follow(Span<const double>(movement), {}, nullptr); });
 }
 
-TEST(Changes, AreNotToldOfWhatOnlyLooks) {
+TEST(Changes, DoNotCountReads) {
   const auto world = benchmark_world();
   step(*world, 1);
   const std::uint64_t changes = world->changes();
@@ -60,7 +60,7 @@ TEST(Changes, AreNotToldOfWhatOnlyLooks) {
 }
 
 // A task of the user's own may fail once the step has happened.
-TEST(Changes, AreToldOfAStepThatFailed) {
+TEST(Changes, CountFailedSteps) {
   class Failing : public tasks::Task {
    public:
     Failing() : Task({}) {}

@@ -57,7 +57,7 @@ std::size_t expected(const env::World& world, const observation::Field& field, s
 
 // The impulse is that of the whole body falling on the floor: what each element of a perfect infant senses, a newborn's
 // nerves bring as much later as they take, to the bit.
-TEST(Nerves, EachElementIsAsLateAsItsNerve) {
+TEST(Nerves, DelayEachElementByItsNerve) {
   constexpr int kSteps = 90;
   const auto perfect = world_of(infant(false), 1), late = world_of(infant(true), 1);
   const std::vector<Bytes> now = episode(*perfect, kSteps), then = episode(*late, kSteps);
@@ -98,7 +98,7 @@ double latest(const env::Description& of, const char* name) {
 // Double pain. Where large fibres conduct as adults' do, at 56 m/s, A-delta fibres do at 13 and C fibres at 0.8 m/s;
 // cold comes at 6.3 and warmth at 0.7 m/s (Hensel and Iggo 1971). From the toes at 18 months: the foot's 0.79 m,
 // and 1.65 times the 5.5 cm from its middle to theirs.
-TEST(Nerves, PainComesTwice) {
+TEST(Nerves, PainArrivesTwice) {
   env::AgentOptions agent = infant(false);
   agent.touch.wanted |=
       MIMO_TOUCH_SA1 | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
@@ -131,7 +131,7 @@ TEST(Nerves, DoNotDependOnFrameSkip) {
   for (std::size_t step = 0; step < three.size(); ++step) EXPECT_EQ(one[3 * step], three[step]) << step;
 }
 
-TEST(Nerves, WhatIsOnItsWayIsPartOfTheState) {
+TEST(Nerves, SaveSignalsInTransit) {
   const auto first = world_of(infant(true), 2), second = world_of(infant(true), 2);
   episode(*first, 31);
   Bytes state(first->state_bytes());
@@ -146,7 +146,7 @@ TEST(Nerves, WhatIsOnItsWayIsPartOfTheState) {
 }
 
 // A camera of the scene is nobody's eye: an infant without a name, whose fields have no prefix, does not make it one.
-TEST(Nerves, CamerasSeeAsTheyAre) {
+TEST(Nerves, DoNotDelayCameras) {
   const auto world_beside = [](bool mature) {
     env::AgentOptions agent = infant(mature);
     agent.growth.eyes = mature;

@@ -223,7 +223,7 @@ std::vector<Case> cases() {
           {Reflex::kWithdrawal, on_heel(), 1.2e-3 * 9.81, 0, "left_foot", "left_foot", 0.012, 24.5}};
 }
 
-TEST(ReflexesInWorlds, ATouchGivesOneOfItsSideAfterItsLatency) {
+TEST(ReflexesInWorlds, StartOnTheTouchedSideAfterTheirLatency) {
   for (const Case& known : cases()) {
     const char* name = reflexes::rule(known.reflex).name;
     Touching weak("fingers", known.reflex, known.age);
@@ -238,7 +238,7 @@ TEST(ReflexesInWorlds, ATouchGivesOneOfItsSideAfterItsLatency) {
   }
 }
 
-TEST(ReflexesInWorlds, OtherPlacesGiveNone) {
+TEST(ReflexesInWorlds, DoNotStartFromOtherPlaces) {
   Touching hand("fingers", Reflex::kPalmarGrasp, 1);
   EXPECT_EQ(hand.press(on_palm(-1), 0.5, 0.1).left, 0) << "the back of the hand";
   Touching foot("fingers", Reflex::kPlantarGrasp, 1);
@@ -252,7 +252,7 @@ TEST(ReflexesInWorlds, OtherPlacesGiveNone) {
   EXPECT_EQ(none.left + none.right, 0) << "the forehead";
 }
 
-TEST(ReflexesInWorlds, AreOverAtTheirAge) {
+TEST(ReflexesInWorlds, EndAtTheirAge) {
   Touching hand("fingers", Reflex::kPalmarGrasp, 7);
   EXPECT_EQ(hand.press(on_palm(), 1, 0.1).left, 0);
   Touching leg("fingers", Reflex::kWithdrawal, 12);  // 4.6 g there
@@ -260,7 +260,7 @@ TEST(ReflexesInWorlds, AreOverAtTheirAge) {
   EXPECT_NEAR(leg.press(on_heel(), 0.06, 0.04).left, 1, 1e-6);
 }
 
-TEST(ReflexesInWorlds, AreHabituatedTo) {
+TEST(ReflexesInWorlds, Habituate) {
   Touching infant("fingers", Reflex::kWithdrawal, 0);
   for (const double expected : {1.0, 0.8, 0.64}) {
     EXPECT_NEAR(infant.press(on_heel(), 0.02, 0.0118, 1).left, expected, 1e-6);
@@ -335,7 +335,7 @@ std::size_t action_of(const Hanging& infant, const std::string& motor) {
 }
 
 // They add to commands, to no more than the motors' limits; what was commanded comes back to the bit.
-TEST(ReflexesInWorlds, AddToWhatIsCommanded) {
+TEST(ReflexesInWorlds, AddToCommands) {
   LookingAside infant(55, newborn(bit(Reflex::kTonicNeck)));
   std::vector<float> actions(infant.world().action_size(), 0.0F);
   actions[action_of(infant, "left_elbow")] = -1;
@@ -357,7 +357,7 @@ TEST(ReflexesInWorlds, AddToWhatIsCommanded) {
 }
 
 // A command that equals what stands there with the reflex is a command all the same.
-TEST(ReflexesInWorlds, ACommandAtTheLimitIsKept) {
+TEST(ReflexesInWorlds, KeepACommandAtItsLimit) {
   LookingAside infant(55, newborn(bit(Reflex::kTonicNeck)));
   std::vector<float> actions(infant.world().action_size(), 0.0F);
   actions[action_of(infant, "left_knee")] = 0.9F;
@@ -404,7 +404,7 @@ TEST(ReflexesInWorlds, PullTheMuscleOfTheirSide) {
 }
 
 // Under position control by a share of the range of motion, within it.
-TEST(ReflexesInWorlds, MoveTheAngleThatIsCommanded) {
+TEST(ReflexesInWorlds, MoveTheCommandedAngle) {
   env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck));
   agent.actuation.mode = actuation::Mode::kPosition;
   LookingAside infant(55, agent);
@@ -461,7 +461,7 @@ TEST(ReflexesInWorlds, AFallThrowsTheArmsOpen) {
 }
 
 // The head turned back fast, as if it dropped.
-TEST(ReflexesInWorlds, AHeadThatDropsBackIsEnough) {
+TEST(ReflexesInWorlds, StartWhenTheHeadDropsBack) {
   for (const bool fast : {true, false}) {
     Hanging infant("mitten", newborn(bit(Reflex::kMoro)));
     const int dof = infant.model().jnt_dofadr[infant.id(mjOBJ_JOINT, "robot:head_tilt")];
@@ -497,7 +497,7 @@ Bytes physical(env::World& world) {
 }
 
 // Whoever has none, and whoever's are over, move alike to the bit.
-TEST(ReflexesInWorlds, WhatIsOffOrOverChangesNothing) {
+TEST(ReflexesInWorlds, ChangeNothingWhenOffOrOutgrown) {
   Hanging none("fingers", newborn(0, 10)), over("fingers", newborn(bit(Reflex::kMoro) | bit(Reflex::kTonicNeck), 10));
   for (int i = 0; i < 200; ++i) {
     const std::vector<float> actions = some_actions(none.world(), i);
@@ -512,7 +512,7 @@ TEST(ReflexesInWorlds, WhatIsOffOrOverChangesNothing) {
 
 // In the middle of one, on its way and with its habituation: what is loaded goes on as if nothing had happened; what
 // has no memory of them starts rested, and an episode starts so too.
-TEST(ReflexesInWorlds, GoOnFromAState) {
+TEST(ReflexesInWorlds, ContinueFromAState) {
   const env::AgentOptions agent = newborn(bit(Reflex::kTonicNeck) | bit(Reflex::kMoro));
   LookingAside one(55, agent), other(0, agent);
   const std::string label = kNeck + std::string("/left");

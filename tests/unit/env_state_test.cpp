@@ -87,7 +87,7 @@ TEST(State, ContinuesToTheBitFor10000Steps) {
   }
 }
 
-TEST(State, GoesBackInTheSameWorld) {
+TEST(State, ReturnsToAnEarlierTime) {
   const auto world = make_world(benchmark_model());
   world->reset(nullptr, nullptr);
   for (int i = 0; i < 50; ++i) step(*world, i);
@@ -107,7 +107,7 @@ TEST(State, SavingAndObservingChangeNothing) {
   }
 }
 
-TEST(State, WhatFollowsFromItIsThatOfTheLoadedState) {
+TEST(State, DerivedQuantitiesFollowTheLoadedState) {
   const auto world = make_world(benchmark_model()), other = make_world(benchmark_model());
   for (int i = 0; i < 100; ++i) step(*world, i);
   const Bytes state = saved(*world);
@@ -188,7 +188,7 @@ TEST(State, RefusesEveryFlippedBitAndEveryCut) {
   EXPECT_EQ(step(*world, 5), step(*twin, 5));
 }
 
-TEST(State, RefusesNumbersThatAreNotFiniteAndPartsThatDoNotWantTheirs) {
+TEST(State, RefusesInfiniteNumbersAndInvalidSections) {
   const auto world = make_world(floating_model(), counting());
   CountingTask& task = task_of(*world);
   for (int i = 0; i < 20; ++i) step(*world, i);
@@ -248,7 +248,7 @@ TEST(State, FitsAWorldWithOtherSenses) {
   EXPECT_EQ(saved(*world), saved(other));
 }
 
-TEST(State, AFailedWorldHasNoneButTakesOne) {
+TEST(State, FailedWorldsLoadButDoNotSave) {
   const auto world = make_world(benchmark_model()), healthy = make_world(benchmark_model());
   for (int i = 0; i < 20; ++i) step(*healthy, i);
   const Bytes state = saved(*healthy);
@@ -291,7 +291,7 @@ void expect_to_continue(env::World& world, env::World& other) {
 }
 
 // In a cone that holds everything there is something to count.
-TEST(State, HoldsWhatIsCounted) {
+TEST(State, HoldsCounters) {
   env::EnvOptions options;
   options.parameters.set("handregard/angle", 3.14);
   const engine::ModelPtr model = room_with_infant("babybench-cubes");
@@ -343,7 +343,7 @@ std::unique_ptr<env::World> late_world(double force, double velocity) {
 }
 
 // Sections that the state lacks start afresh, others go on, and all else is as in any world.
-TEST(State, WhatAWorldOfOtherLimitsLacksStartsAfresh) {
+TEST(State, SectionsThatAStateLacksStartAfresh) {
   const auto world = late_world(0.03, 0.02);
   for (int i = 0; i < 20; ++i) step(*world, i);
   const Bytes state = saved(*world);
@@ -378,7 +378,7 @@ TEST(State, WhatAWorldOfOtherLimitsLacksStartsAfresh) {
   }
 }
 
-TEST(State, NoiseGoesOnAlsoWhereNobodyHeardItBefore) {
+TEST(State, NoiseContinuesForNewFields) {
   const auto plain = late_world(0, 0), noisy = late_world(0, 0.02), twin = late_world(0, 0.02);
   const std::uint64_t seed = 3;
   plain->reset(&seed, nullptr);
@@ -390,7 +390,7 @@ TEST(State, NoiseGoesOnAlsoWhereNobodyHeardItBefore) {
   for (int i = 13; i < 20; ++i) EXPECT_EQ(step(*noisy, i), step(*twin, i));
 }
 
-TEST(State, ActuationsDoNotTakeEachOthers) {
+TEST(State, RefusesStatesOfOtherActuations) {
   env::AgentOptions agent = blind();
   agent.actuation.mode = actuation::Mode::kPosition;
   env::World angles(benchmark_model(), {agent}, {});

@@ -48,7 +48,7 @@ TEST(StepContacts, ImpulseIsTheChangeOfMomentum) {
   EXPECT_TRUE(bounced) << "a contact that began and ended between two looks at the world";
 }
 
-TEST(StepContacts, NeitherChangeAnythingNorOutliveAReset) {
+TEST(StepContacts, ChangeNothingAndEndWithAReset) {
   env::World recorded = falling(true), plain = falling(false);
   for (int step = 0; step < 10; ++step) {
     recorded.step({}, nullptr, {});
@@ -72,7 +72,7 @@ double warnings(env::World& world, engine::Warning kind) {
   return get(world, MIMO_WARNING_STEPS, {static_cast<std::int32_t>(kind)})[0];
 }
 
-TEST(Warnings, NoneInACleanRun) {
+TEST(Warnings, AreAbsentFromACleanRun) {
   const auto world = make_world(benchmark_model());
   for (int i = 0; i < 50; ++i) step(*world, i);
   EXPECT_EQ(get(*world, MIMO_WARNING_STEPS), Values(engine::kWarnings, 0));

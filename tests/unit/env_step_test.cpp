@@ -19,7 +19,7 @@ std::vector<double> state(const env::World& world) {
   return all;
 }
 
-TEST(EnvStep, ObserveGivesTheBlockOfReset) {
+TEST(EnvStep, ObserveRepeatsTheBlockOfReset) {
   const auto world = benchmark_world();
   Observation reset(*world), observed(*world);
   for (int step = 0; step < 30; ++step) world->step(some_actions(*world, step), nullptr, {});
@@ -29,7 +29,7 @@ TEST(EnvStep, ObserveGivesTheBlockOfReset) {
 }
 
 // Observing between the steps changes neither states nor blocks, to the bit.
-TEST(EnvStep, ObserveLeavesTheTrajectory) {
+TEST(EnvStep, ObserveKeepsTheTrajectory) {
   const auto plain = benchmark_world();
   const auto observed = benchmark_world();
   Observation one(*plain), two(*observed), looked(*observed);

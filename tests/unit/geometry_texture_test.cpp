@@ -126,7 +126,7 @@ Compared compare(const std::string& geom, const std::string& material, double az
 
 class EachShape : public testing::TestWithParam<const char*> {};
 
-TEST_P(EachShape, HasItsTexturesWhereTheyAreDrawn) {
+TEST_P(EachShape, TexturesLieWhereTheyAreDrawn) {
   for (const char* material :
        {"texture='flat'", "texture='flat' texrepeat='2 1'", "texture='flat' texuniform='true' texrepeat='3 2'",
         "texture='cube'", "texture='cube' texuniform='true'"}) {

@@ -57,7 +57,7 @@ TEST_P(GrowthMasses, CentreFallsWithAge) {
 }
 
 // A quarter of the mass at birth is head (textbooks); bands of infants and crash dummies for the legs.
-TEST(GrowthMassesOfMittens, AreAnInfantsOfHeadAndLegs) {
+TEST(GrowthMassesOfMittens, AgreeWithInfantsHeadsAndLegs) {
   const Skeleton& base = infant("mitten");
   const std::map<double, double> heads = {{0, 0.25}, {12, 0.18}, {24, 0.16}};
   for (const auto& [age, head] : heads) EXPECT_NEAR(share(grown(base, aged(age)), {"head"}), head, 0.01) << age;
@@ -69,7 +69,7 @@ TEST(GrowthMassesOfMittens, AreAnInfantsOfHeadAndLegs) {
 // Jensen 1994). Schneider and Zernicke (1992) give a leg of 12 months 30 % less, of thighs 16 cm long and 23.5 cm
 // around: .0691 + 2.9582 x .16 + 3.1541 x .235 - .6722 = .611 kg, shanks of 15 and 18.1 cm .318, feet of 11.5 x 4.8 cm
 // .160.
-TEST_P(GrowthMasses, OfLegsAreThoseThatWereMeasured) {
+TEST_P(GrowthMasses, LegsAgreeWithMeasurements) {
   const struct {
     double age, tolerance;  // months, share
   } rows[] = {{2, 0.06}, {3, 0.03}, {6, 0.04}, {9, 0.10}, {12, 0.15}};
@@ -83,7 +83,7 @@ TEST_P(GrowthMasses, OfLegsAreThoseThatWereMeasured) {
   EXPECT_LT(mass_of(year, kLegs), 2 * (0.884 + 0.385 + 0.162));
 }
 
-TEST(GrowthMassesOfMittens, OfFeetAreThoseThatWereMeasuredInTheFirstHalfYear) {
+TEST(GrowthMassesOfMittens, FeetAgreeWithMeasurementsOfTheFirstHalfYear) {
   for (const double age : {0.0, 2.0, 3.0, 6.0}) {
     const double measured = 2 * (0.0522 + 0.00212 * age * 30.4375 / 7);
     const Skeleton body = grown(infant("mitten"), aged(age));
@@ -92,7 +92,7 @@ TEST(GrowthMassesOfMittens, OfFeetAreThoseThatWereMeasuredInTheFirstHalfYear) {
 }
 
 // What is spread was there before, and stays on both sides alike.
-TEST_P(GrowthMasses, AddUpToTheSame) {
+TEST_P(GrowthMasses, KeepTheirSum) {
   for (const double age : {0.0, 2.3, 9.0, 18.0, 24.0}) {
     const Skeleton body = grown(base(), aged(age)), even = fit(base(), aged(age)).skeleton;
     EXPECT_TRUE(close(growth::total_mass(even), growth::total_mass(body), {1e-12})) << age;
@@ -115,7 +115,7 @@ TEST_P(GrowthMasses, LeaveStrengthOverWeight) {
   }
 }
 
-TEST_P(GrowthMasses, RefuseAnInfantThatIsNothingButHead) {
+TEST_P(GrowthMasses, RefuseAnInfantThatIsAllHead) {
   Skeleton body = base();
   growth::Parts(body).geom("head").mass = 30;
   try {

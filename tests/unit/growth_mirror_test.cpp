@@ -65,7 +65,7 @@ TEST(Mirror, LeftIsTheImageOfRight) {
 }
 
 // The original puts both mitten hands 7 mm off the axis of their forearms, to the same side.
-TEST(Mirror, OfTheOriginalsMittenIsALeftHandThatIs14MillimetresOff) {
+TEST(Mirror, MovesTheOriginalsLeftMittenBy14Millimetres) {
   const Skeleton& body = infant("mitten");
   for (const auto& [part, metres] : apart(body, {})) {
     EXPECT_NEAR(metres, part == "hand" || part == "fingers" ? 0.014 : 0, 1e-12) << part;
@@ -74,7 +74,7 @@ TEST(Mirror, OfTheOriginalsMittenIsALeftHandThatIs14MillimetresOff) {
 
 // The original bends the little finger's first bone about (.571, 0, .821) on the right, whose image is
 // (-.571, 0, -.821), and about (-.571, 0, .821) on the left.
-TEST(Mirror, OfTheOriginalsFingersIsALittleFingerThatBendsElsewhere) {
+TEST(Mirror, MovesTheOriginalsLittleFinger) {
   const Skeleton& body = infant("fingers");
   for (const auto& [part, metres] : apart(body, {})) EXPECT_LT(metres, 1e-12) << part;
   for (const auto& [part, metres] : apart(body, same_on_both_sides(body, 1))) {
@@ -87,7 +87,7 @@ TEST(Mirror, OfTheOriginalsFingersIsALittleFingerThatBendsElsewhere) {
 }
 
 // Nothing else differs from the original's.
-TEST(Mirror, ChangesThatAlone) {
+TEST(Mirror, ChangesNothingElse) {
   for (const std::string kind : {"mitten", "fingers"}) {
     const Skeleton &was = infant(kind), &is = infant(kind + "-mirrored");
     ASSERT_EQ(was.bones.size(), is.bones.size());
@@ -112,7 +112,7 @@ TEST(Mirror, ChangesThatAlone) {
 }
 
 // Scenes that are made for one kind of hands take its mirrored body as well.
-TEST(Mirror, GoesWhereTheOriginalsGoes) {
+TEST(Mirror, FitsTheScenesOfTheOriginal) {
   for (const auto& [scene, body] : {std::pair("reach", "mitten-mirrored"), std::pair("catch", "fingers-mirrored")}) {
     scene::Scene with(named(scene));
     with.add_body(body, "", nullptr);

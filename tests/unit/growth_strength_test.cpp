@@ -48,7 +48,7 @@ bool moves_neck(const growth::Motor& motor) { return motor.name.find("head_") !=
 
 // Cross-section times length: of limbs that of the bone, of all else the volume. And as much more as the joint carries
 // more than if all parts were as dense as at 18 months.
-TEST_P(GrowthStrength, GoesWithTheBulkOfMusclesWhereCrossSectionsAreEquallyStrong) {
+TEST_P(GrowthStrength, ScalesWithMuscleVolumeAtEqualSpecificStrength) {
   Growth growth = aged(4);
   growth.strength_exponent = 0;
   const Skeleton body = grown(base(), growth), even = fit(base(), growth).skeleton;
@@ -102,7 +102,7 @@ TEST_P(GrowthStrength, OverWeightNeverFallsWithAge) {
 }
 
 // Worked out apart from this library, for mitten hands.
-TEST(GrowthStrengthOfMittens, OverWeightIsTheOneThatWasWorkedOut) {
+TEST(GrowthStrengthOfMittens, StrengthOverWeightEqualsTheCalculation) {
   struct Row {
     double age, elbow, shoulder, knee, hip;
   };
@@ -123,7 +123,7 @@ TEST(GrowthStrengthOfMittens, OverWeightIsTheOneThatWasWorkedOut) {
 }
 
 // Torque of the neck over the head's moment about its hinge; 3.04 at 18 months.
-TEST_P(GrowthStrength, OfTheNeckIsThatOfInfantsWhoHoldTheirHeadOrDoNot) {
+TEST_P(GrowthStrength, NeckHoldsTheHeadAsInfantsDo) {
   const std::map<double, double> ratios = {{0, 0.5}, {1, 0.75}, {2, 1.0},  {3, 1.3},   {4, 1.5},
                                            {6, 2.0}, {9, 2.5},  {12, 2.8}, {18, 3.04}, {24, 3.1}};
   const double at_18 = relative_strength(base(), "act:head_tilt");
@@ -143,7 +143,7 @@ TEST_P(GrowthStrength, OfTheNeckIsThatOfInfantsWhoHoldTheirHeadOrDoNot) {
   }
 }
 
-TEST_P(GrowthStrength, OfMusclesGoesWithThatOfMotors) {
+TEST_P(GrowthStrength, MusclesScaleWithMotors) {
   const Skeleton body = grown(base(), aged(5));
   for (std::size_t i = 0; i < body.motors.size(); ++i) {
     const growth::Motor &is = body.motors[i], &was = base().motors[i];
@@ -153,7 +153,7 @@ TEST_P(GrowthStrength, OfMusclesGoesWithThatOfMotors) {
   }
 }
 
-TEST_P(GrowthStrength, LimitsAreThoseOfYoungInfants) {
+TEST_P(GrowthStrength, LimitsAgreeWithYoungInfants) {
   struct Row {
     const char* name;
     int end;
@@ -200,7 +200,7 @@ TEST_P(GrowthStrength, LimitsOnlyEverWiden) {
   }
 }
 
-TEST_P(GrowthStrength, ContractureIsAShareOfWhatLacks) {
+TEST_P(GrowthStrength, ContractureScalesTheMissingRange) {
   Growth growth = aged(0);
   growth.contracture = 0;
   Skeleton free = grown(base(), growth);

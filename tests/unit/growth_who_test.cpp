@@ -70,7 +70,7 @@ Numbers numbers_of(const Skeleton& skeleton) {
   return numbers;
 }
 
-TEST_P(GrowthOf, At18MonthsIsTheBodyItselfToTheLastBit) {
+TEST_P(GrowthOf, EqualsTheBuiltInBodyAt18Months) {
   const Numbers is = numbers_of(grown(base(), {})), was = numbers_of(base());
   ASSERT_GT(was.size(), 500u);
   EXPECT_EQ(is, was);
@@ -127,7 +127,7 @@ std::map<std::string, double> columns_of(const Skeleton& base, const Growth& gro
 }
 
 // Four digits each.
-TEST(GrowthProportions, AreTheOnesThatWereWorkedOut) {
+TEST(GrowthProportions, EqualTheCalculatedOnes) {
   const Skeleton& base = infant("mitten");
   const Table table(MIMO_TEST_DATA "/growth/proportions.csv");
   ASSERT_EQ(table.size(), 84u);
@@ -142,7 +142,7 @@ TEST(GrowthProportions, AreTheOnesThatWereWorkedOut) {
   }
 }
 
-TEST_P(GrowthOf, IsAsLongAndHeavyAsTheWhosInfantsOfEveryMonthAndSex) {
+TEST_P(GrowthOf, HasTheWhosLengthAndWeightForEveryMonthAndSex) {
   const double stature = growth::stature(base()), mass = growth::total_mass(base());
   const double length_18 = who(growth::Measure::kLength, Sex::kMean, 18, 0);
   const double weight_18 = who(growth::Measure::kWeight, Sex::kMean, 18, 0);
@@ -162,7 +162,7 @@ TEST_P(GrowthOf, IsAsLongAndHeavyAsTheWhosInfantsOfEveryMonthAndSex) {
   }
 }
 
-TEST_P(GrowthOf, IsTheWhosLengthAndWeightWhereThatIsAskedFor) {
+TEST_P(GrowthOf, HasTheWhosAbsoluteLengthAndWeightOnRequest) {
   for (const double age : {0.0, 3.0, 12.0, 18.0, 24.0}) {
     Growth growth = aged(age);
     growth.absolute = true;
@@ -173,7 +173,7 @@ TEST_P(GrowthOf, IsTheWhosLengthAndWeightWhereThatIsAskedFor) {
   }
 }
 
-TEST_P(GrowthOf, OnlyEverGetsLargerAndWithoutJumps) {
+TEST_P(GrowthOf, GrowsContinuously) {
   constexpr double kStep = 0.05, kJump = 0.005;
   std::vector<Numbers> ages;
   for (int step = 0; step <= 480; ++step) ages.push_back(sizes_of(grown(base(), aged(std::min(kStep * step, 24.0)))));
@@ -189,7 +189,7 @@ TEST_P(GrowthOf, OnlyEverGetsLargerAndWithoutJumps) {
   }
 }
 
-TEST_P(GrowthOf, IsTheSameOnTheLeftAndOnTheRight) {
+TEST_P(GrowthOf, IsSymmetric) {
   const Skeleton body = grown(base(), aged(2.3));
   int compared = 0;
   for (const growth::Bone& left : body.bones) {
@@ -216,7 +216,7 @@ TEST_P(GrowthOf, IsTheSameOnTheLeftAndOnTheRight) {
 // Newborns' circumferences of chest, hip, arm and calf, hand and foot length of other studies than those that the
 // exponents are fitted to, cm; beside them those of the survey's infants of 18 months (Snyder et al. 1977), to which
 // the body is in proportion.
-TEST(GrowthProportions, OfANewbornAgreeWithNewbornsThatWereMeasured) {
+TEST(GrowthProportions, AgreeWithMeasuredNewborns) {
   const Skeleton &base = infant("mitten"), body = grown(base, aged(0));
   const auto wider = [&](const char* geom) {
     return growth::geom(body, geom).size[0] / growth::geom(base, geom).size[0];
@@ -244,7 +244,7 @@ TEST_P(GrowthOf, HasTheWristAtTheEndOfTheForearm) {
 }
 
 // What does not fit together is refused, and nothing else is turned inside out.
-TEST_P(GrowthOf, HasSizesAboveZeroForEveryCombinationThatFits) {
+TEST_P(GrowthOf, HasPositiveSizesForEveryPossibleCombination) {
   int fits = 0;
   for (const double age : {0.0, 1.0, 6.0, 18.0, 24.0}) {
     for (const double z_length : {-3.0, 0.0, 3.0}) {
@@ -275,7 +275,7 @@ TEST_P(GrowthOf, HasSizesAboveZeroForEveryCombinationThatFits) {
   EXPECT_GT(fits, 60);
 }
 
-TEST_P(GrowthOf, RefusesACombinationThatNoInfantCanHave) {
+TEST_P(GrowthOf, RefusesImpossibleCombinations) {
   const auto expect_refused = [](const Skeleton& base, const Growth& growth, const char* why) {
     try {
       grown(base, growth);
@@ -297,7 +297,7 @@ TEST_P(GrowthOf, RefusesACombinationThatNoInfantCanHave) {
   expect_refused(heavy, aged(0), "no infant of 49.5 cm with a head of 34.2 cm weighs 3.29 kg");
 }
 
-TEST_P(GrowthOf, RefusesABodyWhosePartsSomebodyHasChanged) {
+TEST_P(GrowthOf, RefusesABodyWithChangedParts) {
   const auto expect_refused = [&](const char* name, const std::function<void(Skeleton&)>& change) {
     Skeleton changed = base();
     change(changed);

@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
 Case skin() { return {"", curtain(), kBones, "", true}; }
 
 // A picture does not depend on those before, nor on whether it is drawn with others' assets.
-TEST(RayExtras, NothingStays) {
+TEST(RayExtras, LeaveNothingInTheNextPicture) {
   const engine::ModelPtr model = model_of(skin());
   rays::Options options;
   options.assets = rays::make_assets(model);

@@ -57,7 +57,7 @@ TEST_F(SceneFurnish, AnEmptySceneGetsTheRoomOfFree) {
   EXPECT_EQ(actual->stat.extent, expected->stat.extent);
 }
 
-TEST_F(SceneFurnish, WhatASceneSaysItselfStays) {
+TEST_F(SceneFurnish, KeepsWhatASceneDefines) {
   scene::Scene scene(from_text(
       "<mujoco><option timestep='0.002'/><visual><map znear='0.5'/></visual><custom><numeric name='mimo:place' "
       "data='1 2 3 1 0 0 0'/></custom><default><geom contype='4' conaffinity='4'/></default></mujoco>"));
@@ -118,7 +118,7 @@ TEST_F(SceneFurnish, JointsStartWhereTheyAreSet) {
   }
 }
 
-TEST_F(SceneFurnish, RangesAreThoseOfTheClassInItsUnit) {
+TEST_F(SceneFurnish, RangesComeFromTheClassInItsUnit) {
   for (const char* settings : {"", "<compiler angle='radian'/>"}) {
     scene::Scene scene(from_text(std::string("<mujoco>") + settings + kDrawer + "</mujoco>"));
     const std::string before = scene.xml();

@@ -51,7 +51,7 @@ TEST_F(SceneInfants, PlaceOfTheCaller) {
   EXPECT_EQ(copy(model->body_quat + 4 * ben, 4), (std::vector<double>{0.5, 0.5, 0.5, 0.5}));
 }
 
-TEST_F(SceneInfants, TwoHaveEverythingTwice) {
+TEST_F(SceneInfants, TwoInfantsHaveSeparateParts) {
   const engine::ModelPtr one = room_with_infant("free");
   const engine::ModelPtr two = anna_and_ben();
   EXPECT_EQ(two->nbody, 1 + 2 * (one->nbody - 1));
@@ -194,7 +194,7 @@ TEST_F(SceneInfants, DuplicatesAreRefused) {
   expect_error(Status::kInvalidArgument, "mimo_location", [&] { included.add_body("mitten", "", nullptr); });
 }
 
-TEST_F(SceneInfants, NoPlaceLeft) {
+TEST_F(SceneInfants, ReportsThatNoPlaceIsLeft) {
   scene::Scene scene(named("free"));
   scene.add_body("mitten", "anna/", nullptr);
   expect_error(Status::kInvalidArgument, "no place for infant number 2",
@@ -244,7 +244,7 @@ double near_plane(const std::string& document, bool add) {
 }
 
 // A hand may come within a centimetre of an eye, however large the world is; unless its author says otherwise.
-TEST_F(SceneInfants, HandsBeforeTheEyesAreSeen) {
+TEST_F(SceneInfants, SeeHandsBeforeTheirEyes) {
   const std::string large = "<worldbody><geom type='box' size='20 20 1' pos='0 0 -9'/></worldbody>";
   const std::string included = "<include file='mimo/mitten.xml'/>";
   for (const std::string room : {"free", "benchmark", "reach", "standup", "selfbody"}) {

@@ -105,7 +105,7 @@ TEST_F(ScenePlaces, WithoutGroundAtTheOrigin) {
   EXPECT_EQ(start.z, 0);
 }
 
-TEST_F(ScenePlaces, OnWhatComesLater) {
+TEST_F(ScenePlaces, OnObjectsAddedLater) {
   scene::Scene scene(from_text(world("")));
   scene.add_body("mitten", "", nullptr);
   scene.add_object({"block", scene::Shape::kBox, {.5, .5, .1}, {{0, 0, 0}, {1, 0, 0, 0}}, 1, {1, 1, 1, 1}, true});
@@ -119,7 +119,7 @@ std::vector<std::string> warnings(scene::Scene& scene) {
   return told;
 }
 
-TEST_F(ScenePlaces, AGivenPlaceThatIsTakenIsToldOf) {
+TEST_F(ScenePlaces, ReportsAGivenPlaceThatIsTaken) {
   const std::string floor = world("<geom name='floor' type='plane' size='5 5 1'/>");
   const document::Pose inside{{0, 0, 0.3}, {1, 0, 0, 0}}, above{{0, 0, 0.34}, {1, 0, 0, 0}};
   scene::Scene scene(from_text(floor));

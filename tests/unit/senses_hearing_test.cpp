@@ -103,7 +103,7 @@ Touch touch(double height) {
   }
 }
 
-TEST(Hearing, ABlockIsHeardWhenItHits) {
+TEST(Hearing, HearsABlockWhenItHits) {
   for (const double height : {0.2, 0.201, 0.202, 0.203, 0.207, 0.2117}) {
     const auto world = falling(height);
     const Streams heard = listen(*world, 0.4);
@@ -136,7 +136,7 @@ std::string scene_with_thing(const std::string& thing, const std::string& under,
 
 // Shapes, and how far they reach below their middle: flat, on an edge and on a corner boxes are as punctual as balls.
 // What touches lies up to 3.5 cm beside the middle.
-TEST(Hearing, ThingsOfAllShapesAreHeardWhenTheyHit) {
+TEST(Hearing, HearsThingsOfAllShapesWhenTheyHit) {
   const double half = 0.02;
   struct Shape {
     const char* geom;
@@ -201,7 +201,7 @@ TEST(Hearing, AFlatCubeScrapesAsLoudAsABall) {
 }
 
 // Exactly: not even the smallest numbers are left.
-TEST(Hearing, RestingThingsAreSilent) {
+TEST(Hearing, DoesNotHearThingsAtRest) {
   const auto world = falling(0.2);
   listen(*world, 5);
   const Streams later = listen(*world, 2);
@@ -234,7 +234,7 @@ std::vector<float> beep(double seconds) {
   return samples;
 }
 
-TEST(Hearing, GoesOnFromASavedState) {
+TEST(Hearing, ContinuesFromASavedState) {
   const auto one = falling(0.2, 2), other = falling(0.2, 2);
   one->play("block", beep(0.5), kRate);
   listen(*one, 0.25);  // it rings now, and plays
@@ -285,7 +285,7 @@ TEST(Hearing, AttachedSensesHearTheSame) {
 
 // Kuhn's formula for low frequencies tells the angle: time = 3 radii / speed of sound x sine. A host of ten lines that
 // turns towards what it hears: the time between the ears tells where from.
-TEST(Hearing, TurnsToANoise) {
+TEST(Hearing, TurnsTowardsANoise) {
   const char* kTurning = R"(
 <mujoco>
   <option timestep="0.005"/>

@@ -46,7 +46,7 @@ const Values kUsual = {70, 70, 70, 70}, kNone = {0, 0, 0, 0};
 
 // A third of the way up the joint's range the muscle that pulls down is a third of the way up its own, at 0.9 L0, the
 // other at 1.0: with the usual drive 52.8 and 85.5 Hz of Ia, 17.7 and 54.7 of II (Mileusnic et al. 2006).
-TEST(MuscleReceptors, SpindlesTellLengths) {
+TEST(MuscleReceptors, SpindlesReportLengths) {
   const auto world = elbow();
   Observation block(*world);
   world->reset(nullptr, block.data());
@@ -59,7 +59,7 @@ TEST(MuscleReceptors, SpindlesTellLengths) {
 }
 
 // Half of its force to the positive side, held: 95.9 Hz, 1.186 times as much after a second (Lin and Crago 2002).
-TEST(MuscleReceptors, TendonOrgansTellForce) {
+TEST(MuscleReceptors, TendonOrgansReportForce) {
   const auto world = elbow();
   Observation block(*world);
   world->reset(nullptr, block.data());
@@ -94,7 +94,7 @@ TEST(MuscleReceptors, AHostDrivesTheirSpindles) {
   EXPECT_EQ(block.bytes(), usual);
 }
 
-TEST(MuscleReceptors, RefuseRatesThatNoNeuronHas) {
+TEST(MuscleReceptors, RefuseImpossibleRates) {
   const auto world = elbow();
   for (const double rate : {-1.0, 501.0}) {
     EXPECT_THROW(set(*world, kDrive, {0}, {70, rate, 70, 70}), Error) << rate;
@@ -123,7 +123,7 @@ TEST(MuscleReceptors, ArePartOfTheState) {
 }
 
 // The lock holds 1 Nm up, a quarter of what the motor could: 40 Hz ln(1 + 20 / 4) = 71.67 Hz in the end.
-TEST(MuscleReceptors, TendonOrgansTellWhatPositionControlHolds) {
+TEST(MuscleReceptors, TendonOrgansReportForcesOfPositionControl) {
   env::AgentOptions options = of_elbow();
   options.actuation.mode = actuation::Mode::kPosition;
   const auto world = elbow(options);
@@ -140,7 +140,7 @@ TEST(MuscleReceptors, TendonOrgansTellWhatPositionControlHolds) {
 }
 
 // Attached to a host's simulation they tell the same bytes, under the same drive, before and after a load.
-TEST(MuscleReceptors, AttachedTheyTellTheSame) {
+TEST(MuscleReceptors, ReportTheSameWhenAttached) {
   env::AgentOptions options = of_elbow();
   options.proprioception.wanted &= ~MIMO_PROPRIOCEPTION_ACTUATION;
   const auto world = elbow(options);
@@ -179,7 +179,7 @@ TEST(MuscleReceptors, AttachedTheyTellTheSame) {
 }
 
 // 0.0175 rad inside the upper limit are half of the way from the threshold: 50 Hz, and nothing at the other end.
-TEST(MuscleReceptors, JointReceptorsTellWhichEnd) {
+TEST(MuscleReceptors, JointReceptorsReportTheEnd) {
   const auto world = elbow();
   Observation block(*world);
   world->reset(nullptr, block.data());
@@ -190,7 +190,7 @@ TEST(MuscleReceptors, JointReceptorsTellWhichEnd) {
 }
 
 // An infant has them under torque and under muscles: two for each motor.
-TEST(MuscleReceptors, AnInfantHasTwoMusclesAMotor) {
+TEST(MuscleReceptors, HaveTwoMusclesPerMotor) {
   for (const actuation::Mode mode : {actuation::Mode::kTorque, actuation::Mode::kMuscle}) {
     env::AgentOptions options = blind();
     options.actuation.mode = mode;

@@ -79,7 +79,7 @@ void step(env::World& world, Observation& block, double seconds) {
 
 // Skin of this spacing stiffens at 300 N/m x 10 mm = 3 N: 4.905 N press it in by 3 mm 4.905 / 7.905 = 1.86 mm, of which
 // TouchSim's SA1 make 48 (1.86 - 0.08) = 85.5 Hz for as long as it is held, and RA and PC nothing at all.
-TEST(SkinReceptors, AHeldPressIsToldBySa1Alone) {
+TEST(SkinReceptors, OnlySa1ReportsAHeldPress) {
   const auto world = world_with(with_probe(33, "plastic"));
   Observation block(*world);
   world->reset(nullptr, block.data());
@@ -208,7 +208,7 @@ TEST(SkinReceptors, ArePartOfTheState) {
 }
 
 // Attached to a host's simulation they tell the same bytes.
-TEST(SkinReceptors, AttachedTheyTellTheSame) {
+TEST(SkinReceptors, ReportTheSameWhenAttached) {
   const auto world = world_with(with_probe(15, "steel"));
   Observation block(*world);
   world->reset(nullptr, block.data());

@@ -108,7 +108,7 @@ TEST_P(TouchGrowth, IsTheSameOnBothSides) {
 }
 
 // Sensors are as far apart as the root of the skin's area says: on the head, a sphere, that is its radius.
-TEST_P(TouchGrowth, SpacingGoesWithTheSkin) {
+TEST_P(TouchGrowth, SpacingScalesWithTheSkin) {
   const auto [body, age] = GetParam();
   const engine::ModelPtr born = infant(body, 18), grown = infant(body, age);
   const int head = body_id(*born, "head");

@@ -87,7 +87,7 @@ TEST(TouchInfant, FieldsAreDescribed) {
   }
 }
 
-TEST(TouchInfant, WithoutSkinThereIsNoField) {
+TEST(TouchInfant, HasNoFieldWithoutSkin) {
   env::AgentOptions options = blind();
   options.touch.everywhere = 0;
   const auto world = benchmark_world(options);
@@ -113,7 +113,7 @@ TEST(TouchInfant, BodiesWithoutSkinFeelNothingAndTheOthersStillDo) {
   EXPECT_TRUE(felt);
 }
 
-TEST(TouchInfant, UnknownBodiesAreRefusedWithThoseThatAreThere) {
+TEST(TouchInfant, RefusesUnknownBodiesAndListsTheKnownOnes) {
   env::AgentOptions options = blind();
   options.touch.spacing = {{"left_tentacle", 0.01}};
   expect_error(Status::kNotFound, "no body \"left_tentacle\" that could have a skin; there are: hip, lower_body",
@@ -140,7 +140,7 @@ engine::ModelPtr held_with_ball(const Vec3& place, double radius, double mass) {
   return model;
 }
 
-TEST(TouchInfant, ABallAtRestOnThePalmIsFeltAsItsWeight) {
+TEST(TouchInfant, FeelsTheWeightOfABallOnThePalm) {
   constexpr double kMass = 0.2, kRadius = 0.03, kWeight = kMass * 9.81;
   const engine::Physics alone(held_with_ball({0, 0, 5}, kRadius, kMass), {});
   const int hand = engine::find_or_fail(alone.model(), Kind::kBody, "right_hand");

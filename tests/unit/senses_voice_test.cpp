@@ -118,7 +118,7 @@ TEST(Voice, IsHeardByBoth) {
   EXPECT_NEAR(way / kRate * 343, kDistance - 0.07, 0.15);  // a mouth is a head's radius nearer, ears turn a little away
 }
 
-TEST(Voice, IsSilentUnlessItIsTold) {
+TEST(Voice, IsSilentWithoutACommand) {
   const auto world = babbling();
   EXPECT_EQ(level(hears(*world, "anna/hearing/ear_left", says(*world, 0), 0.2)), level({0, 0}));
   hears(*world, "anna/hearing/ear_left", says(*world, 1), 0.2);
@@ -140,7 +140,7 @@ TEST(Voice, IsTheSameForAnyFrameSkip) {
 }
 
 // In the middle of a word, with what it was told: no actions leave it speaking.
-TEST(Voice, GoesOnFromASavedState) {
+TEST(Voice, ContinuesFromASavedState) {
   const auto one = babbling(2), other = babbling(2);
   hears(*one, "bo/hearing/ear_left", says(*one, 0.8F, -0.3F), 0.1);
   std::vector<std::uint8_t> state(one->state_bytes());
@@ -151,7 +151,7 @@ TEST(Voice, GoesOnFromASavedState) {
   EXPECT_EQ(goes_on, hears(*other, "bo/hearing/ear_left", {}, 0.2));
 }
 
-TEST(Voice, WorksWithMusclesAndDeafOnes) {
+TEST(Voice, WorksWithMusclesAndWithoutHearing) {
   env::AgentOptions options = speaker();
   options.actuation.mode = actuation::Mode::kMuscle;
   const engine::ModelPtr model = held_infant({1, 0, 0, 0});
@@ -166,7 +166,7 @@ TEST(Voice, WorksWithMusclesAndDeafOnes) {
   EXPECT_EQ(deaf.action_size(), world.action_size());
 }
 
-TEST(Voice, IsNotForAttachedSenses) {
+TEST(Voice, IsRefusedForAttachedSenses) {
   EXPECT_THROW(env::Attached({held_infant({1, 0, 0, 0}), {speaker()}, weightless(1), {}}, 0), Error);
 }
 

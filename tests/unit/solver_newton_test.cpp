@@ -154,7 +154,7 @@ constexpr char kZoo[] = R"(<mujoco>
 
 class EngineNewtonZoo : public ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {};
 
-TEST_P(EngineNewtonZoo, EveryConstraintIsAsMujocos) {
+TEST_P(EngineNewtonZoo, EveryConstraintEqualsMujocos) {
   std::string xml = kZoo;
   const auto put = [&](const std::string& name, const char* value) { xml.replace(xml.find(name), name.size(), value); };
   put("CONE", std::get<0>(GetParam()));
@@ -250,7 +250,7 @@ TEST_F(EngineLineSearch, DoesNotBounceInACone) {
 }
 
 // Rounding keeps the slope from getting that small: the search ends at the neighbours of the least.
-TEST_F(EngineLineSearch, EndsWhereNumbersDo) {
+TEST_F(EngineLineSearch, EndsAtTheLimitOfRounding) {
   const double start[] = {-3, 2, 1}, direction[] = {2, -2, 7};
   const solver::Line line = {start, direction, -6.2, 7.87};
   const double at = solver::find_least(data_, line, 0), near = solver::find_least(data_, line, 1e-6);

@@ -135,7 +135,7 @@ TEST_P(TaskAges, StandupHasARailToItsSize) {
 }
 
 // Knees and hips straightened as far as its muscles can.
-TEST(TaskSizes, WhoIsOldEnoughStandsUp) {
+TEST(TaskSizes, OldInfantsStandUp) {
   for (const auto& [age, stands] : std::map<double, bool>{{0, false}, {18, true}, {24, true}}) {
     const auto world = world_of("standup", age);
     std::vector<float> actions(world->action_size());
@@ -195,7 +195,7 @@ TEST_P(TaskAges, RolloverLiesOnTheFloor) {
   EXPECT_NEAR(body::extent(world->model(), world->data(), world->agents()[0].body).low, 0, 0.005);
 }
 
-TEST(TaskSizes, DocumentsThatSayNonsenseOfGrowthAreRefused) {
+TEST(TaskSizes, DocumentsWithInvalidGrowthAreRefused) {
   for (const std::string numbers : {"6 0.8", "6 0 0.8", "6 0.8 -1", "6 0.8 0.8 0.8"}) {
     const engine::ModelPtr model = compiled("<mujoco><custom><numeric name='mimo:growth' data='" + numbers +
                                             "'/></custom><worldbody><body name='mimo_location'><geom size='.1'/>"

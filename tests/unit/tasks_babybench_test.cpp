@@ -90,7 +90,7 @@ TEST(Selftouch, CreditsPalmsAsTheCompetitionDoesAndHandsRight) {
   EXPECT_EQ(touched({{{15, 0}, {15, 16}}}), (Found{{}, {}, {}, {}}));
 }
 
-TEST(Selftouch, TellsInWhichStepThatWasFirst) {
+TEST(Selftouch, ReportsTheStepOfTheFirstTouch) {
   const auto world = world_of("babybench-base");
   world->reset(nullptr, nullptr);
   engine::Physics& physics = world->physics();
@@ -110,7 +110,7 @@ TEST(Selftouch, TellsInWhichStepThatWasFirst) {
   EXPECT_EQ(achieved(*world), std::vector<double>(4 * kGeoms));
 }
 
-TEST(Selftouch, KnowsWhatThereIsToTouch) {
+TEST(Selftouch, ListsTheTouchableParts) {
   // The competition divides by 34 a hand: all 36 geoms but the two of its palm. Two more are those of the own fingers.
   const auto world = world_of("babybench-base");
   const std::vector<double> all = goal(*world);

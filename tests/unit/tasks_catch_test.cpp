@@ -223,7 +223,7 @@ TEST(Catch, ParametersFixTheBall) {
 }
 
 // As MuJoCo's compiler makes it.
-TEST(Ball, IsShapedAsIfCompiledSo) {
+TEST(Ball, EqualsABallCompiledWithThatShape) {
   const auto room = [](const char* size, const char* mass) {
     return compile(scene::Scene(from_text(
         std::string("<mujoco><worldbody><body name='box'><freejoint/><geom type='box' size='1 1 1'/></body><body "

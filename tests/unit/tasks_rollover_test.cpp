@@ -77,7 +77,7 @@ TEST(Rollover, OverTheChestItIsTheirMean) {
 }
 
 // The head, a sphere of 7.35 cm whose middle is 1 cm before the root, reaches down furthest.
-TEST(Rollover, ItsPlaceIsOnTheFloor) {
+TEST(Rollover, StartsOnTheFloor) {
   for (const std::string body : {"mitten", "fingers"}) {
     const auto world = world_of({}, body);
     world->physics().reset();

@@ -170,7 +170,7 @@ TEST(Reach, KinematicsIsUpToDateWithTheTurnedHead) {
   EXPECT_GT((place_of(*world, "right_fingers") - fingers).norm(), 0) << "the hand was a step behind";
 }
 
-TEST(Reach, DoingNothingEarnsTheDistanceUntilTimeIsUp) {
+TEST(Reach, RewardsTheDistanceUntilTheTimeLimit) {
   const auto world = world_of("reach");
   const Episode episode = play(*world, 3, nothing);
   EXPECT_EQ(episode.steps, 1000);
@@ -222,7 +222,7 @@ TEST(Reach, OriginalRulesWantTheTargetMoved) {
 }
 
 // An arm that flails for ten seconds often hits a ball that hangs within its reach, but not always.
-TEST(Reach, RandomMovementFindsTheBallNowAndThen) {
+TEST(Reach, RandomMovementSometimesFindsTheBall) {
   const auto world = world_of("reach");
   Random random(5);
   const auto policy = [&](const World& w) {
@@ -447,7 +447,7 @@ TEST(Parameters, ChangeTheTask) {
       }());
 }
 
-TEST(Parameters, AreChecked) {
+TEST(Parameters, AreCheckedForTheirRange) {
   tasks::Settings settings;
   expect_error(Status::kNotFound, "reach/success_reward", [&] { settings.set("reach/sucess", 1); });
   expect_error(Status::kInvalidArgument, "expected 0 to 1", [&] { settings.set("reach/original_rules", 2); });

@@ -42,7 +42,7 @@ class FeedbackTest : public ::testing::Test {
   std::unique_ptr<actuation::Actuation> actuation_;
 };
 
-TEST_F(FeedbackTest, MotorsOfAnInfantTellTheirTorque) {
+TEST_F(FeedbackTest, MotorsOfAnInfantReportTheirTorque) {
   body_.infant = true;
   const auto commands = felt({}).commands;
   ASSERT_EQ(commands.size(), 2u);
@@ -54,7 +54,7 @@ TEST_F(FeedbackTest, MotorsOfAnInfantTellTheirTorque) {
   EXPECT_EQ(value(commands[1]), 1.5);
 }
 
-TEST_F(FeedbackTest, ActuatorsOfOthersTellTheirForce) {
+TEST_F(FeedbackTest, ActuatorsOfOthersReportTheirForce) {
   const auto commands = felt({}).commands;
   ASSERT_EQ(commands.size(), 2u);
   EXPECT_EQ(commands[1].field.name, "proprioception/actuator_force");
@@ -62,7 +62,7 @@ TEST_F(FeedbackTest, ActuatorsOfOthersTellTheirForce) {
   EXPECT_EQ(value(commands[1]), 0.5) << "before the gear";
 }
 
-TEST_F(FeedbackTest, LocksTellTheirAngle) {
+TEST_F(FeedbackTest, LocksReportTheirAngle) {
   const auto commands = felt({Mode::kPosition}).commands;
   ASSERT_EQ(commands.size(), 1u);
   EXPECT_EQ(commands[0].field.name, "proprioception/target");
@@ -70,7 +70,7 @@ TEST_F(FeedbackTest, LocksTellTheirAngle) {
   EXPECT_EQ(value(commands[0]), 0.25);
 }
 
-TEST_F(FeedbackTest, WhatOthersCommandIsFeltAsWell) {
+TEST_F(FeedbackTest, IncludesCommandsOfOthers) {
   actuation::Options options;
   for (const Mode mode : {Mode::kTorque, Mode::kPosition}) {
     options.mode = mode;
@@ -82,7 +82,7 @@ TEST_F(FeedbackTest, WhatOthersCommandIsFeltAsWell) {
 }
 
 // The square of 0.5; a lock costs nothing.
-TEST_F(FeedbackTest, EffortComesOnlyWhereItIsWanted) {
+TEST_F(FeedbackTest, EffortIsComputedOnRequest) {
   actuation::Options options;
   EXPECT_TRUE(felt(options).exertion.empty());
   const auto torque = felt(options, MIMO_PROPRIOCEPTION_EFFORT);

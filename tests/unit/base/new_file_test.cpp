@@ -57,7 +57,7 @@ TEST_F(NewFile, ANameThatIsTakenStays) {
   EXPECT_TRUE(fs::is_symlink(link));
 }
 
-TEST_F(NewFile, WhatIsNotThereIsTold) {
+TEST_F(NewFile, ReportsAMissingFile) {
   EXPECT_EQ(move_to_free(folder_ / "made", folder_ / "name"), std::errc::no_such_file_or_directory);
 }
 

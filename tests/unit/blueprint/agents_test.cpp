@@ -36,7 +36,7 @@ TEST(BlueprintAgents, AreNumberedInTheirOrder) {
   EXPECT_EQ(blueprint.current().agents.all()[1].name, "ben");
 }
 
-TEST(BlueprintAgents, OfSeveralEachHasANameOfItsOwn) {
+TEST(BlueprintAgents, HaveDifferentNames) {
   Blueprint blueprint = room();
   EXPECT_EQ(joining(blueprint, infant_at("anna", 0)), "");
   EXPECT_EQ(joining(blueprint, infant_at("anna", 2)), "name: there is an agent \"anna\" already");
@@ -70,7 +70,7 @@ TEST(BlueprintAgents, APartWithoutMotorsLeavesThemToOthers) {
   EXPECT_TRUE(blueprint.current().agents.all()[1].actuation.none);
 }
 
-TEST(BlueprintAgents, AllThatTheSceneNames) {
+TEST(BlueprintAgents, AreAllThatTheSceneNames) {
   const auto all = [](const AgentPlan& plan) { return [&](SceneEdit& edit) { return edit.add_agents(plan); }; };
   Blueprint date(named("playdate"));
   EXPECT_EQ(refusal(date, all(infant("carl"))), "name is \"carl\", but the scene names its infants itself");
@@ -84,7 +84,7 @@ TEST(BlueprintAgents, AllThatTheSceneNames) {
   EXPECT_EQ(single.current().agents.all()[0].name, "carl");
 }
 
-TEST(BlueprintAgents, WhatTheyReadAndFeel) {
+TEST(BlueprintAgents, ReadJointsAndBodies) {
   Blueprint blueprint = room();
   ASSERT_EQ(joining(blueprint, infant("")), "");
   const auto read = [](SceneEdit& edit) { edit.agents.read_joint(0, "robot:left_elbow"); };

@@ -38,7 +38,7 @@ Blueprint furnished() {
   return blueprint;
 }
 
-TEST(Blueprint, WhatIsRefusedChangesNothing) {
+TEST(Blueprint, RefusedEditsChangeNothing) {
   Blueprint blueprint = furnished();
   const std::string before = told(blueprint);
   AgentPlan nobody = infant_at("carl", 2);
@@ -105,7 +105,7 @@ TEST(Blueprint, CompilesTwiceToTheSame) {
   EXPECT_EQ(states[0], states[1]);
 }
 
-TEST(Blueprint, GivesWorldsWhatItSays) {
+TEST(Blueprint, GivesWorldsItsSettings) {
   const blueprint::CompiledWorldPtr compiled = furnished().compile({}, {});
   ASSERT_EQ(compiled->agents.size(), 1u);
   EXPECT_EQ(compiled->agents[0].name, "anna");

@@ -26,7 +26,7 @@ engine::ModelPtr painted(const std::vector<engine::Asset>& assets) {
   return engine::compile(xml, assets, {});
 }
 
-TEST(Pictures, MakeTheTexturesThatTheirFilesMake) {
+TEST(Pictures, EqualTheTexturesOfTheirFiles) {
   std::vector<engine::Asset> assets = pictures();
   const engine::ModelPtr of_files = painted(assets);
   document::decode_pictures(assets);
@@ -46,7 +46,7 @@ TEST(Pictures, AreDecodedOnce) {
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].bytes.data(), second[i].bytes.data());
 }
 
-TEST(Pictures, OtherFilesStayAsTheyAre) {
+TEST(Pictures, LeaveOtherFilesUnchanged) {
   const unsigned char bytes[] = {1, 2, 3};
   std::vector<engine::Asset> assets = {{"mesh.stl", {bytes, 3}}};
   document::decode_pictures(assets);

@@ -37,7 +37,7 @@ int exit_status_of_a_child() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(CompileLock, ForkWaitsUntilNobodyCompiles) {
+TEST(CompileLock, ForkWaitsForTheCompiler) {
   std::atomic<bool> compiling{false}, done{false};
   std::thread other([&] {
     const CompileLock lock;
@@ -81,7 +81,7 @@ void expect_refused(const std::string& xml, const std::string& part) {
   EXPECT_EQ(compiled(kGood)->ngeom, 1) << "a good model compiles after a bad one";
 }
 
-TEST_F(EngineCompile, TextThatIsNoXml) { expect_refused("this is no xml", "XML"); }
+TEST_F(EngineCompile, RefusesTextThatIsNotXml) { expect_refused("this is no xml", "XML"); }
 TEST_F(EngineCompile, TruncatedDocument) { expect_refused(kGood.substr(0, kGood.size() / 2), "XML"); }
 TEST_F(EngineCompile, UnknownElement) { expect_refused("<mujoco><wordlbody/></mujoco>", "wordlbody"); }
 TEST_F(EngineCompile, BadNumber) {

@@ -75,7 +75,7 @@ void compare(const DocumentOfRows& document) {
   EXPECT_EQ(full->warning[mjWARN_CNSTRFULL].number, 0);
 }
 
-TEST(Data, StepsAsMujocosOwn) {
+TEST(Data, StepsLikeMujocosData) {
   for (const char* options : {"jacobian='sparse'", "jacobian='dense'", "jacobian='sparse' solver='PGS'",
                               "jacobian='dense' solver='PGS'", "jacobian='sparse' solver='CG'",
                               "jacobian='sparse' noslip_iterations='3'", "jacobian='sparse' cone='elliptic'"}) {
@@ -94,7 +94,7 @@ const std::string kTendons =
     "site='c54'/></spatial></tendon><equality><tendon tendon1='joints' tendon2='other'/><tendon tendon1='places' "
     "polycoef='2 0 0 0 0'/></equality>";
 
-TEST(Data, StepsTendonsAsMujocosOwn) {
+TEST(Data, StepsTendonsLikeMujocosData) {
   compare([](int rows) { return heap(6, "jacobian='sparse'", kTendons, rows); });
 }
 
@@ -131,7 +131,7 @@ TEST(Data, ARowIsAsWideAsTwoChains) {
 
 #if !MIMO_MUJOCO_4
 // 300 rows of 66 make two matrices, the Jacobian and its transpose, and one of 300 x 300, of entries of 12 bytes.
-TEST(Data, TakesAFractionOfMujocosOwn) {
+TEST(Data, TakesAFractionOfMujocosMemory) {
   const ModelPtr model = compiled(heap(6, "jacobian='sparse'"));
   const engine::DataPtr full(mj_makeData(model.get()), mj_deleteData);
   const int spared = 12 * (2 * 300 * 66 + 300 * 300);

@@ -70,7 +70,7 @@ TEST_P(EngineFailure, GivesStatusAndMessage) {
   EXPECT_TRUE(physics.failed());
 }
 
-TEST_P(EngineFailure, FailedWorldTakesNothingButReset) {
+TEST_P(EngineFailure, FailedWorldAcceptsOnlyReset) {
   engine::Physics physics(compiled(GetParam().xml), {});
   fail_once(physics, GetParam());
   const std::string hint = "needs a reset";
@@ -92,7 +92,7 @@ TEST_P(EngineFailure, ResetEqualsFreshWorld) {
   EXPECT_EQ(trajectory(failed, 5), trajectory(fresh, 5));
 }
 
-TEST_P(EngineFailure, OtherWorldsGoOnToTheBit) {
+TEST_P(EngineFailure, OtherWorldsContinueExactly) {
   const engine::ModelPtr model = compiled(pile(16, ""));
   engine::Physics alone(model, {});
   engine::Physics beside(model, {});

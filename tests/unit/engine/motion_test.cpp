@@ -89,7 +89,7 @@ TEST(Motion, AgreesWithSensorsOfTheStateAsItIs) {
   }
 }
 
-TEST(Motion, WithoutGravityRestFeelsNothing) {
+TEST(Motion, MeasuresNothingAtRestWithoutGravity) {
   engine::PhysicsOptions weightless;
   weightless.gravity = false;
   engine::Physics physics(engine::compile(tree("Euler"), {}, {}), weightless);
@@ -100,7 +100,7 @@ TEST(Motion, WithoutGravityRestFeelsNothing) {
 }
 
 // A body's own frame is what a site in its origin would be.
-TEST(Motion, BodiesAreAsGoodAsSites) {
+TEST(Motion, MeasuresBodiesLikeSites) {
   std::string text = tree("Euler");
   text.replace(text.find("pos=\"0.02 0 0.03\""), 17, "pos=\"0 0 0\"      ");
   engine::Physics physics(engine::compile(text, {}, {}), {});

@@ -49,7 +49,7 @@ double touching(engine::Physics& physics) {
 }
 
 // Flat, on an edge, on a corner, and askew; what lies under them is flat on top.
-TEST(Overlap, IsHowFarThingsWereMovedIntoEachOther) {
+TEST(Overlap, IsTheDepthOfPenetration) {
   for (const char* under : {R"(type="plane" size="1 1 0.1")", R"(type="box" size="0.5 0.5 0.1" pos="0 0 -0.1")",
                             R"(type="box" size="0.5 0.5 0.1" pos="0 0 -0.1" euler="0 0 30")"}) {
     for (const char* thing :
@@ -68,7 +68,7 @@ TEST(Overlap, IsHowFarThingsWereMovedIntoEachOther) {
 }
 
 // A cube that leans by one degree: two of its corners are deeper than the others.
-TEST(Overlap, IsThatOfEachCorner) {
+TEST(Overlap, CoversEachCorner) {
   const double half = 0.05, lean = 0.0174532925199433, middle = 0.0485;
   for (const char* under : {R"(type="plane" size="1 1 0.1")", R"(type="box" size="0.5 0.5 0.1" pos="0 0 -0.1")"}) {
     engine::Physics physics(engine::compile(scene(under, R"(type="box" size="0.05 0.05 0.05" euler="1 0 0")"), {}, {}),
@@ -90,7 +90,7 @@ TEST(Overlap, IsThatOfEachCorner) {
 }
 
 // Both stand on an edge, and their edges cross at right angles.
-TEST(Overlap, IsThatOfEdgesThatCross) {
+TEST(Overlap, CoversCrossingEdges) {
   const double deep = 2e-3, edge = 0.05 * std::sqrt(2);
   engine::Physics physics(engine::compile(scene(R"(type="box" size="0.3 0.05 0.05" euler="45 0 0")",
                                                 R"(type="box" size="0.05 0.3 0.05" euler="0 45 0")"),

@@ -59,7 +59,7 @@ TEST(GrowthCheck, NamesTheNumberItsValueAndItsRange) {
   }
 }
 
-TEST(GrowthCheck, SaysWhatTheOriginalDoesNotKnow) {
+TEST(GrowthCheck, ListsWhatTheOriginalDoesNotSupport) {
   Growth original;
   original.model = growth::Model::kOriginal;
   EXPECT_EQ(refusal(original), "");
@@ -77,7 +77,7 @@ TEST(GrowthCheck, SaysWhatTheOriginalDoesNotKnow) {
 }
 
 // It comes before all else: there is no body at all here.
-TEST(GrowthCheck, IsDoneBeforeABodyIsLookedAt) {
+TEST(GrowthCheck, HappensBeforeReadingABody) {
   Growth growth;
   growth.age = 25;
   try {

@@ -67,7 +67,7 @@ TEST(GrowthKinematics, TakesTheFirstBoneAsItStands) {
   EXPECT_NEAR(growth::stature(body), 0.2, kExact);
 }
 
-TEST(GrowthKinematics, RefusesAnglesOfJointsThatAreNotThere) {
+TEST(GrowthKinematics, RefusesAnglesOfMissingJoints) {
   try {
     lowest_point(pole(geom(Shape::kSphere, {0.1, 0, 0})), {{"tip", 1}, {"tap", 1}});
     FAIL();
@@ -83,7 +83,7 @@ TEST(GrowthLoad, IsMomentAndInertiaAboutTheJoint) {
   EXPECT_NEAR(load.inertia, 2 * (1 + 0.4 * 0.01), kExact);
 }
 
-TEST(GrowthLoad, HasTheRadiusOfGyrationAsLeverWhereItTurnsAboutItsCentre) {
+TEST(GrowthLoad, UsesTheRadiusOfGyrationAboutTheCentre) {
   Skeleton body = pole(geom(Shape::kSphere, {0.1, 0, 0}));
   body.bones[1].geoms[0].position = body.bones[1].joints[0].position;
   const growth::Load load = growth::loads(body).at("tip");

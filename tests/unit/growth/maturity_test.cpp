@@ -54,7 +54,7 @@ TEST(Hearing, FollowsItsTables) {
 }
 
 // Straight lines in age and in the logarithm of frequency: worked out by hand, from numbers of one decimal.
-TEST(Hearing, LiesBetweenThem) {
+TEST(Hearing, InterpolatesBetweenTheTables) {
   EXPECT_NEAR(hearing_threshold(9, 1000), 2.4 + 13, 1e-9);
   EXPECT_NEAR(hearing_threshold(0, 1046.6), 42.4, 0.1);
   EXPECT_NEAR(hearing_threshold(24, 3065.1), -1.0, 0.1);

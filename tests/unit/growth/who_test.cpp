@@ -58,7 +58,7 @@ TEST(Who, IsTheWhosFormulaAtEachMonth) {
   }
 }
 
-TEST(Who, OfTheMeanOfTheSexesIsTheMean) {
+TEST(Who, GivesTheMeanOfTheSexes) {
   const double girl = who(Measure::kWeight, Sex::kFemale, 7, 1), boy = who(Measure::kWeight, Sex::kMale, 7, 1);
   EXPECT_EQ(who(Measure::kWeight, Sex::kMean, 7, 1), (girl + boy) / 2);
 }
@@ -74,7 +74,7 @@ TEST(Who, GrowsFromDayToDay) {
   }
 }
 
-TEST(Curve, GoesExactlyThroughItsPointsAndNeverOverThem) {
+TEST(Curve, PassesThroughItsPointsWithoutOvershoot) {
   const std::array<double, 5> x = {0, 1, 2.5, 3, 7}, y = {0.1, 0.3, 0.3, 0.9, 1.7};
   const growth::Curve curve(x, y);
   for (std::size_t i = 0; i < x.size(); ++i) EXPECT_EQ(curve(x[i]), y[i]);
@@ -90,13 +90,13 @@ TEST(Curve, GoesExactlyThroughItsPointsAndNeverOverThem) {
 // Three points on a parabola, 1, 4, 9 at 1, 2, 3: slopes of the two pieces are 3 and 5, so by the formulas of Fritsch
 // and Butland 2, 2 * 3 * 5 / (3 + 5) = 3.75 and 6; in the middle of a piece a cubic is the mean of its ends plus an
 // eighth of the width times the slopes' difference.
-TEST(Curve, IsTheOneOfFritschAndButland) {
+TEST(Curve, FollowsFritschAndButland) {
   const growth::Curve curve({1, 2, 3}, {1, 4, 9});
   EXPECT_NEAR(curve(1.5), 2.5 + (2 - 3.75) / 8, 1e-14);
   EXPECT_NEAR(curve(2.5), 6.5 + (3.75 - 6) / 8, 1e-14);
 }
 
-TEST(Drivers, Are1At18MonthsToTheLastBit) {
+TEST(Drivers, AreExactly1At18Months) {
   const growth::Drivers drivers = growth::drivers({});
   EXPECT_EQ(drivers.l, 1);
   EXPECT_EQ(drivers.w, 1);

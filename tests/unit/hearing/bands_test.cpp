@@ -25,7 +25,7 @@ std::complex<double> bin_of(const std::array<float, kWindow>& samples, std::size
 }
 
 // Rounding of a float, 6e-8, in each of some ten steps.
-TEST(Transform, IsFouriers) {
+TEST(Transform, EqualsTheFourierTransform) {
   std::mt19937 random(5);
   std::normal_distribution<float> noise(0, 1);
   std::array<float, kWindow> samples;
@@ -59,7 +59,7 @@ std::array<std::array<float, kWindow>, kEars> tone(double frequency, double leve
 }
 
 // Glasberg and Moore (1990): 24 bands between 100 and 7200 Hz, evenly spaced on their scale.
-TEST(Bands, LieWhereTheyShould) {
+TEST(Bands, LieAtTheFrequenciesOfGlasbergAndMoore) {
   const Levels centres = band_centres();
   EXPECT_NEAR(centres[0], 100, 1e-6);
   EXPECT_NEAR(centres[6], 512.8, 0.05);
@@ -68,7 +68,7 @@ TEST(Bands, LieWhereTheyShould) {
   EXPECT_NEAR(bandwidth(1046.6), 137.7, 0.05);
 }
 
-TEST(Bands, HearWhatIsAboveTheThreshold) {
+TEST(Bands, HearLevelsAboveTheThreshold) {
   const Bands bands(kRate, flat(20));
   const Levels centres = band_centres();
   for (std::size_t band = 0; band < kBands; ++band) {
@@ -83,7 +83,7 @@ TEST(Bands, HearWhatIsAboveTheThreshold) {
   }
 }
 
-TEST(Bands, TellWhichEarIsFirst) {
+TEST(Bands, ReportTheFirstEar) {
   const Bands bands(kRate, flat(0));
   for (const double late : {0.0, 1e-4, -1e-4, 2.5e-4, 4e-4, -5e-4}) {
     EXPECT_NEAR(bands.hear(tone(500, 60, late)).time_difference, late, 20e-6) << late;
@@ -91,7 +91,7 @@ TEST(Bands, TellWhichEarIsFirst) {
   EXPECT_EQ(bands.hear(tone(500, -10, 3e-4)).time_difference, 0);
 }
 
-TEST(Bands, TellLeftFromRight) {
+TEST(Bands, DistinguishLeftFromRight) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   std::normal_distribution<float> noise(0, 0.02F);

@@ -96,7 +96,7 @@ Difference exact(double frequency, double azimuth, double distance, const Head& 
 }
 
 // Numbers of the exact solution for a far source and ears at 90 degrees, from a table made apart from this file.
-TEST(ExactSphere, IsTheTablesOne) {
+TEST(ExactSphere, EqualsThePublishedTable) {
   const auto far = [](double z, double f) {
     return between(exact_sphere(kRadius, 1000, (90 - z) * kDegree, f),
                    exact_sphere(kRadius, 1000, (90 + z) * kDegree, f), f);
@@ -156,7 +156,7 @@ TEST(Ears, LargerHeadsHearLargerDifferences) {
   EXPECT_NEAR(heard(250, 90, 2, head(0.0759)).time, 664, 0.02 * 664);
 }
 
-TEST(Ears, MirrorsSwapThem) {
+TEST(Ears, SwapInAMirroredScene) {
   const std::vector<float> sound = tone(730, 0.2);
   for (const double azimuth : {7.0, 33.0, 90.0, 140.0}) {
     const Streams one = play(sound, [&](double) { return Eigen::Vector3d(direction(azimuth)); });
@@ -176,7 +176,7 @@ TEST(Ears, SoundFallsOffWithDistance) {
 }
 
 // 1 m from the middle of the head, round the sphere to ears at 100 degrees.
-TEST(Ears, AClickAheadArrivesWhenItShould) {
+TEST(Ears, HearAClickAheadOnTime) {
   EXPECT_NEAR(ways_to(head(), Eigen::Vector3d(1, 0, 0))[0].delay, 2.962e-3, 0.1 / kRate);
   // Where it is heard: as early as the delay and no sample earlier, what lies between samples aside.
   const std::vector<float> pulse = [] {
@@ -192,7 +192,7 @@ TEST(Ears, AClickAheadArrivesWhenItShould) {
   EXPECT_NEAR(static_cast<double>(loudest) / kRate, 2.962e-3, 0.7 / kRate);
 }
 
-TEST(Ears, WhatComesNearerSoundsHigher) {
+TEST(Ears, HearApproachingSourcesHigher) {
   const double speed = 5, frequency = 1000;
   const Streams streams = play(tone(frequency, 1), [&](double t) { return Eigen::Vector3d(20 - speed * t, 0, 0); });
   // The phase that goes on between two stretches tells the frequency.
@@ -255,7 +255,7 @@ TEST(Ears, SourcesHaveDirections) {
 }
 
 // 17 dB above the level at 1 m, wherever the mouth is.
-TEST(Ears, TheOwnVoiceIsLoud) { EXPECT_NEAR(level_of(Eigen::Vector3d(1, 0, 0), 0.25, 0), 17, 0.05); }
+TEST(Ears, HearTheirOwnVoiceLoud) { EXPECT_NEAR(level_of(Eigen::Vector3d(1, 0, 0), 0.25, 0), 17, 0.05); }
 
 Blow wooden_blow(double onset) {
   constexpr int kHardWood = 6;  // row of kTimbreTable
@@ -326,7 +326,7 @@ TEST(Voices, FallSilent) {
 class AnyHead : public ::testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Radii, AnyHead, ::testing::Values(1e-3, kRadius, 2.0, 300.0));
 
-TEST_P(AnyHead, HearsWithinReason) {
+TEST_P(AnyHead, HearsPlausibleLevels) {
   const Head listener = head(GetParam());
   const double distance = 3 * GetParam() + 1;
   const Streams streams = play(
@@ -336,7 +336,7 @@ TEST_P(AnyHead, HearsWithinReason) {
   }
 }
 
-TEST_P(AnyHead, GoesOnFromASavedState) {
+TEST_P(AnyHead, ContinuesFromASavedState) {
   Ears one(kTick, kRate, 800, 0), other(kTick, kRate, 800, 0);
   const Head listener = head(GetParam());
   for (int i = 0; i < 40; ++i) one.add(wooden_blow(3.1 * i), listener, 0);  // more than there is room for

@@ -87,7 +87,7 @@ double contrast_left(std::size_t size, double pixels_per_degree, double cycles_p
   return strength(picture, cycles, turned) / before;
 }
 
-TEST(EyeFilter, LeavesOfGratingsWhatInfantsOfThatAgeSee) {
+TEST(EyeFilter, KeepsTheContrastsThatInfantsOfThatAgeSee) {
   const double frequencies[] = {0.1, 0.25, 0.5, 1, 2};
   struct Row {
     double age, acuity, peak_contrast, left[5];
@@ -115,7 +115,7 @@ TEST(EyeFilter, LeavesOfGratingsWhatInfantsOfThatAgeSee) {
 
 // What the eye leaves at any frequency, S^-(f/A)^2, up to 0.4 cycles per pixel: all widths of the filter. Bytes alone
 // are 0.01 off.
-TEST(EyeFilter, LeavesOfFineGratingsWhatItShould) {
+TEST(EyeFilter, AttenuatesFineGratingsByTheFormula) {
   for (double sigma = 0.1; sigma < 1.5; sigma += 0.05) {
     Eyesight eyes = grey_eyes(1, 4);
     const double pixels_per_degree = sigma / eyes.sigma();
@@ -130,7 +130,7 @@ TEST(EyeFilter, LeavesOfFineGratingsWhatItShould) {
 }
 
 // A limit that leaves half of so fine lines, alone and in front of an eye.
-TEST(EyeFilter, HasBlurBeforeIt) {
+TEST(EyeFilter, AppliesTheBlurFirst) {
   Eyesight veil;
   veil.blur = 0.5;
   EXPECT_NEAR(contrast_left(256, 8, 0.5, veil, false), 0.5, 0.01);
@@ -213,7 +213,7 @@ Picture colourful() {
   return picture;
 }
 
-TEST(EyeFilter, TakesColourAndKeepsLuminance) {
+TEST(EyeFilter, RemovesColourAndKeepsLuminance) {
   for (const double chroma : {0.0, 1e-9, 0.25, 0.5, 0.8}) {
     const Picture before = colourful();
     Picture picture = before;
@@ -351,7 +351,7 @@ TEST(EyeFilter, GlancesWithoutRemembering) {
   EXPECT_EQ(first.rgb, second.rgb);
 }
 
-TEST(EyeFilter, GoesOnFromWhatWasSaved) {
+TEST(EyeFilter, ContinuesFromASavedState) {
   Eyesight eyes = grey_eyes(0.7, 2);
   eyes.flicker = 4;
   EyeFilter first(16, 256, 4, eyes), second(16, 256, 4, eyes);

@@ -66,7 +66,7 @@ TEST(Foveation, MagnifiesTheMiddle) {
 }
 
 // A white square of 11 pixels in the middle becomes one of as many as the directions say.
-TEST(Foveation, ShowsThingsWhereItSaysTheyAre) {
+TEST(Foveation, DrawsThingsWhereItsMapSays) {
   const std::size_t size = 101;
   std::vector<std::uint8_t> rgb(size * size * 3);
   for (std::size_t i = 0; i < rgb.size(); ++i) {

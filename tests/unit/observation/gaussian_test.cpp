@@ -25,7 +25,7 @@ double error(double sigma, double highest) {
   return error;
 }
 
-TEST(Gaussian, LeavesWhatItShould) {
+TEST(Gaussian, AttenuatesByTheFormula) {
   for (double sigma = 0.02; sigma < 8.1; sigma *= 1.05) {
     EXPECT_LT(error(sigma, 0.4), sigma < 0.7 ? 0.006 : 0.003) << sigma;
     EXPECT_LT(error(sigma, 0.5), sigma < 1 ? 0.08 : 0.005) << sigma;
@@ -34,7 +34,7 @@ TEST(Gaussian, LeavesWhatItShould) {
 
 // What is below 0 is little, 2 pixels away, and needed for narrow ones only: weights above 0 alone leave 0.025 too much
 // of 0.4 cycles per pixel at 0.42 pixels.
-TEST(Gaussian, HasTheSumOneAndHardlyAnythingBelowZero) {
+TEST(Gaussian, SumsToOneAndIsHardlyEverNegative) {
   for (double sigma = 0.001; sigma < 1000; sigma *= 1.1) {
     const std::vector<float> kernel = gaussian_kernel(sigma);
     double sum = kernel[0];
@@ -47,7 +47,7 @@ TEST(Gaussian, HasTheSumOneAndHardlyAnythingBelowZero) {
   }
 }
 
-TEST(Gaussian, IsJustTheMiddleWhereThereIsNothingToBlur) { EXPECT_EQ(gaussian_kernel(0), std::vector<float>{1}); }
+TEST(Gaussian, IsASingleWeightWithoutBlur) { EXPECT_EQ(gaussian_kernel(0), std::vector<float>{1}); }
 
 }  // namespace
 }  // namespace mimo::observation

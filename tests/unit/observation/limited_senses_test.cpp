@@ -48,17 +48,17 @@ class LimitedSensesTest : public ::testing::Test {
 
 using Values = std::vector<float>;
 
-TEST_F(LimitedSensesTest, ConcernAFieldAndAllBelowItsPath) {
+TEST_F(LimitedSensesTest, ApplyToAFieldAndAllBelowItsPath) {
   limit({{"touch", {0.5, 0, 0, 0}}});
   EXPECT_EQ(sensed(8, 0), (Values{4, 4, 8, 8}));
 }
 
-TEST_F(LimitedSensesTest, TheLastOneCounts) {
+TEST_F(LimitedSensesTest, TheLastLimitCounts) {
   limit({{"touch", {0.5, 0, 0, 0}}, {"touch/slip", {0.25, 0, 0, 0}}});
   EXPECT_EQ(sensed(8, 0), (Values{4, 2, 8, 8}));
 }
 
-TEST_F(LimitedSensesTest, AreLateByWholeSteps) {
+TEST_F(LimitedSensesTest, DelayByWholeSteps) {
   limit({{"touching", {1, 0, 0, 0.02}}});
   EXPECT_EQ(sensed(1, 0), (Values{1, 1, 1, 1}));
   EXPECT_EQ(sensed(2, 1), (Values{2, 2, 1, 2}));
@@ -66,7 +66,7 @@ TEST_F(LimitedSensesTest, AreLateByWholeSteps) {
   EXPECT_EQ(sensed(4, 3), (Values{4, 4, 2, 4}));
 }
 
-TEST_F(LimitedSensesTest, WithoutAnyNothingIsKept) {
+TEST_F(LimitedSensesTest, KeepNothingWithoutLimits) {
   limit({});
   EXPECT_FALSE(limited_.wants(1));
   std::vector<Section> sections;
@@ -84,7 +84,7 @@ TEST_F(LimitedSensesTest, DelaysAreRoundedToSteps) {
 }
 
 // Steps of three ticks. A field that is 4 ticks late is sensed at ticks 2, 5, 8 alone, and read at 3, 6, 9.
-TEST_F(LimitedSensesTest, AreLateByTicksWithinAStep) {
+TEST_F(LimitedSensesTest, DelayByTicksWithinAStep) {
   limit({{"touching", {1, 0, 0, 0.04}}}, {0.01, 3, true});
   const auto passed = [&](std::uint64_t tick) {
     const bool wanted = limited_.wants(tick);
@@ -103,7 +103,7 @@ TEST_F(LimitedSensesTest, AreLateByTicksWithinAStep) {
 }
 
 // One element at once, one a tick, one five ticks late; in steps of two ticks.
-TEST(DelayLine, EachElementIsLateByItself) {
+TEST(DelayLine, DelaysEachElementSeparately) {
   Signals sense(Share::kTouch, {signal("touch", 3)});
   Observer observer;
   observer.add(sense);
@@ -135,7 +135,7 @@ TEST(DelayLine, EachElementIsLateByItself) {
 }
 
 // Attached senses see the ends of steps only: 30 ms are nearest to two steps of 20 ms, 24 ms to one.
-TEST_F(LimitedSensesTest, WithoutTicksWithinAStepDelaysAreWholeSteps) {
+TEST_F(LimitedSensesTest, RoundDelaysToStepsWithoutTicks) {
   limit({{"touching", {1, 0, 0, 0.03}}, {"touch", {1, 0, 0, 0.024}}}, {0.01, 2, false});
   for (int step = 0; step <= 6; ++step) {
     const std::vector<float> now = sensed(static_cast<float>(step), 2 * static_cast<std::uint64_t>(step));
@@ -151,7 +151,7 @@ TEST_F(LimitedSensesTest, NoiseMayGrowWithTheSignal) {
   EXPECT_NEAR(large[0], 10 * small[0], 1e-5);
 }
 
-TEST_F(LimitedSensesTest, AfterForgettingTheFirstStepIsAllThereIs) {
+TEST_F(LimitedSensesTest, StartAgainAfterForgetting) {
   limit({{"touching", {1, 0, 0, 0.02}}});
   std::vector<Section> sections;
   limited_.list(sections);
@@ -175,7 +175,7 @@ TEST_F(LimitedSensesTest, RefuseMoreThan2000Steps) {
   }
 }
 
-TEST_F(LimitedSensesTest, RefuseAPathThatLeadsNowhere) {
+TEST_F(LimitedSensesTest, RefuseAnUnknownPath) {
   try {
     limit({{"taste", {0, 0, 0, 0}}});
     FAIL();

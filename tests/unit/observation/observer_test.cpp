@@ -50,7 +50,7 @@ TEST(Observer, WritesEveryByte) {
   for (std::size_t i = 68; i < 128; ++i) EXPECT_EQ(block[i], 0) << i;
 }
 
-TEST(Observer, RefusesASecondFieldOfAName) {
+TEST(Observer, RefusesDuplicateFieldNames) {
   Signals one(Share::kTouch, {signal("touch/force", 1)}), other(Share::kTask, {signal("touch/force", 2)});
   Observer observer;
   observer.add(one);
@@ -63,7 +63,7 @@ TEST(Observer, RefusesASecondFieldOfAName) {
   }
 }
 
-TEST(Observer, AddsUpWhatEachPartTakes) {
+TEST(Observer, AddsUpTheTimeOfEachSense) {
   Signals sense(Share::kVestibular, {signal("a", 1)});
   Observer observer;
   observer.add(sense);
@@ -76,7 +76,7 @@ TEST(Observer, AddsUpWhatEachPartTakes) {
   EXPECT_EQ(times[static_cast<std::size_t>(Share::kTask)], 1);
 }
 
-TEST(Signals, WithoutNumbersAreLeftOut) {
+TEST(Signals, OmitSignalsWithoutNumbers) {
   Signals sense(Share::kTask, {signal("none", 0), signal("one", 1, 3)});
   ASSERT_EQ(sense.fields().size(), 1u);
   EXPECT_EQ(sense.fields()[0].name, "one");

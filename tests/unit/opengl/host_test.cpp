@@ -97,7 +97,7 @@ TEST(Host, OsmesaContextStaysCurrent) {
   EXPECT_EQ(type, GL_UNSIGNED_BYTE);
 }
 
-TEST(Host, OsmesaContextStaysCurrentWhenDrawingFailsAndWhenARendererGoes) {
+TEST(Host, OsmesaContextStaysCurrentAfterAFailureAndADestroyedRenderer) {
   OsmesaHost host;
   const World world;
   auto renderer = renderer_for(world);
@@ -202,7 +202,7 @@ bool draws_beside_egl_that_came_later() {
   return draws_right() && host.works();
 }
 
-TEST(Host, DrawsBesideEglThatCameLater) {
+TEST(Host, DrawsBesideEglLoadedLater) {
   if (!has_egl()) GTEST_SKIP() << "no EGL without a window here";
   EXPECT_IN_NEW_PROCESS(draws_beside_egl_that_came_later());
 }
@@ -329,7 +329,7 @@ bool draws_in_a_child_forked_before() {
 
 TEST(Host, DrawsInAChildForkedBeforeTheFirstPicture) { EXPECT_IN_NEW_PROCESS(draws_in_a_child_forked_before()); }
 
-TEST(Host, ImportSlotIsThatOfTheFunction) {
+TEST(Host, ImportSlotBelongsToTheFunction) {
   ImportSlot slot(dlsym(RTLD_DEFAULT, "mjr_makeContext"), "dlsym");
   ASSERT_FALSE(slot.empty());
   const auto other = reinterpret_cast<void*>(&draws_beside_glx);

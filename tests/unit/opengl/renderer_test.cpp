@@ -57,7 +57,7 @@ TEST(Osmesa, DepthIsTheDistanceAlongTheAxis) {
   EXPECT_NEAR(image.depth[image.at(0.5 - 0.8 / 2.309, 0.5)], 1.82, 5e-3);  // the ball, on the ray to its centre
 }
 
-TEST(Osmesa, WhereNothingIsDepthIsTheFarPlane) {
+TEST(Osmesa, BackgroundDepthIsTheFarPlane) {
   const World world;
   const Image image = take(*renderer_for(world), world);
   EXPECT_EQ(image.depth[image.at(0.02, 0.02)], 100.0F);
@@ -73,7 +73,7 @@ TEST(Osmesa, SegmentationNamesGeoms) {
   EXPECT_EQ(image.segmentation[image.at(0.5, 0.97)], world.geom("floor"));
 }
 
-TEST(Osmesa, ASiteIsNoGeomButHasDepth) {
+TEST(Osmesa, SitesHaveDepthButNoId) {
   const World world;
   const Image image = take(*renderer_for(world), world, 128, 128);
   const std::size_t dot = image.at(0.5 + 0.4 / 1.1547, 0.5);
@@ -81,7 +81,7 @@ TEST(Osmesa, ASiteIsNoGeomButHasDepth) {
   EXPECT_NEAR(image.depth[dot], 0.954, 5e-3);
 }
 
-TEST(Osmesa, WhatIsTransparentHasDepthAndId) {
+TEST(Osmesa, TransparentGeomsHaveDepthAndId) {
   const World world;
   const Image image = take(*renderer_for(world), world, 128, 128);
   const std::size_t pane = image.at(0.5, 0.5 + 0.4 / 1.1547);
@@ -167,7 +167,7 @@ TEST(Osmesa, EachPartAloneEqualsAllTogether) {
   EXPECT_TRUE(alone == all);
 }
 
-TEST(Osmesa, APictureDoesNotDependOnThoseBefore) {
+TEST(Osmesa, DoesNotDependOnEarlierPictures) {
   const World world;
   const auto used = renderer_for(world);
   take(*used, world, 300, 40, "above");
@@ -330,7 +330,7 @@ TEST(Osmesa, NextNameIsTried) {
        world);
 }
 
-TEST(Osmesa, RefusesWhatIsNoPicture) {
+TEST(Osmesa, RefusesInvalidPictureSizes) {
   const World world;
   const auto renderer = renderer_for(world);
   const auto draw = [&](int width, int height, double fovy) {

@@ -18,7 +18,7 @@ std::array<int, 3> floor_under(const std::string& light, const std::string& visu
 
 Rgb scaled(double k) { return {0.8 * k, 0.6 * k, 0.4 * k}; }
 
-TEST(RayLight, None) {
+TEST(RayLight, AmbientLightWithoutLights) {
   // MuJoCo's ambient light of a scene without any light.
   EXPECT_TRUE(color_near(scaled(0.3), floor_under("", "<headlight active='0'/>")));
 }

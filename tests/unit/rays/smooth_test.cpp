@@ -103,7 +103,7 @@ class Plain : public ::testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(Plain, TilesLookAsIfTheyShowedMore) {
+TEST_P(Plain, TilesEqualTheFullCalculation) {
   Studio alone(world(floor(), kAssets));
   Studio walled(world(floor() + kWall + kCellar, kAssets));
   // From above all, from the floor to its horizon, and from high up, where much of the floor is in the haze.
@@ -130,7 +130,7 @@ TEST_P(Plain, TilesLookAsIfTheyShowedMore) {
   RecordProperty("different", different);
 }
 
-TEST_P(Plain, ColorsDoNotDependOnWhatElseIsAskedFor) {
+TEST_P(Plain, ColorsDoNotDependOnOtherOutputs) {
   Studio studio(world(floor(), kAssets));
   const render::View view = to_the_wall(-40);
   const Shot all = studio.shoot(view, 200, 200);
@@ -152,7 +152,7 @@ TEST_P(Plain, SkyIsTheSame) {
 }
 
 // With fog every ray looks for its face of the sky by itself; here the fog begins far behind all that is seen.
-TEST(RaySmooth, SkyOnOneFaceIsWhatEachRayFinds) {
+TEST(RaySmooth, SkyOnOneFaceEqualsSingleRays) {
   constexpr const char* kSky =
       "<texture type='skybox' builtin='gradient' mark='random' random='.1' markrgb='.6 .2 .1' width='256' "
       "height='256' rgb1='.2 .5 .9' rgb2='.9 .8 .7'/>";

@@ -161,13 +161,13 @@ TEST(RaySolids, Sizes) {
   }
 }
 
-TEST(RaySolids, NoSuchPicture) {
+TEST(RaySolids, RefuseInvalidPictureSizes) {
   Studio studio(world("<geom size='.1'/>"));
   EXPECT_THROW(studio.renderer().draw(studio.model(), studio.physics().data(), from_above(1), {0, 5}), Error);
 }
 
 // Groups 0 to 2 show, and nothing whose alpha is 0; sites show, without an id.
-TEST(RaySolids, WhatIsShown) {
+TEST(RaySolids, ShowGroups0To2) {
   const auto id_of = [](const std::string& body) { return Studio(world(body)).shoot(from_above(1)).middle_id(); };
   EXPECT_EQ(id_of("<geom size='.1' group='2'/>"), 0);
   EXPECT_EQ(id_of("<geom size='.1' group='3'/>"), -1);

@@ -31,7 +31,7 @@ double over_rest(const Canals& canals, std::size_t canal, Afferent type) {
 
 // About the canal's own axis at 60 degrees a second, so that the cosine is 1. K T2/T1 = 0.4366 of Schneider et al. 2015
 // times 60, falling to its e-th part in each 5.7 s: 26.18, 21.98, 9.64, 3.55, 1.30 spikes/s.
-TEST(Canals, ATurnThatGoesOnFades) {
+TEST(Canals, ResponseToALongTurnFades) {
   Canals canals(kTick);
   canals.rest(Vector3d::Zero());
   const Vector3d about = 60 * kDegree * canal_axis(1);
@@ -48,7 +48,7 @@ TEST(Canals, ATurnThatGoesOnFades) {
 }
 
 // After a long turn the stop tells the opposite of what its start told.
-TEST(Canals, AStopTellsTheOpposite) {
+TEST(Canals, ReportTheOppositeTurnAtAStop) {
   Canals canals(kTick);
   canals.rest(60 * kDegree * canal_axis(1));
   canals.advance(Vector3d::Zero());
@@ -57,7 +57,7 @@ TEST(Canals, AStopTellsTheOpposite) {
 }
 
 // Components of the directions of Della Santina et al. 2005: yaw to the left, pitch nose down, roll right side down.
-TEST(Canals, TellWhichWay) {
+TEST(Canals, ReportTheDirection) {
   const double known[3][kCanals] = {{-0.590, -0.316, -0.696, 0.589, 0.329, 0.692},
                                     {0.788, -0.041, -0.668, 0.789, -0.036, -0.666},
                                     {-0.180, 0.948, -0.263, 0.173, -0.944, 0.278}};
@@ -100,7 +100,7 @@ std::complex<double> schneider(double hertz, Afferent type) {
 }
 
 // The formula as the literature's tables have it.
-TEST(Canals, TheTransferFunctionIsTheTables) {
+TEST(Canals, HaveTheTransferFunctionOfTheTable) {
   const double known[][3] = {{0.01, 0.147, 70.4}, {0.1, 0.421, 16.1}, {1, 0.439, 6.9}, {5, 0.4965, 24.3}};
   for (const auto& [hertz, gain, lead] : known) {
     EXPECT_NEAR(std::abs(schneider(hertz, Afferent::kRegular)), gain, 6e-4);
@@ -136,7 +136,7 @@ constexpr std::size_t kUtricle = 0, kSaccule = 1;
 
 // The static gain of the regular ones is 46.165 spikes/s per g: lying on the right ear gives the left utricle's outward
 // cells as much, takes it from the right one's, and the saccule's upward cells lose it.
-TEST(Maculae, ATiltIsACosine) {
+TEST(Maculae, RespondToTiltByItsCosine) {
   for (int degrees = 0; degrees <= 90; degrees += 10) {
     const double angle = degrees * kDegree;
     const Vector3d force(0, std::sin(angle) * kG, std::cos(angle) * kG);
@@ -178,7 +178,7 @@ TEST(Maculae, FollowTheirTransferFunction) {
 }
 
 // A first-order lag of 1.54 s lets at most a / (2 pi f 1.54 s) of a shaking of a through: 2 g at 5 Hz 0.041 g.
-TEST(GravityEstimate, ShakingCannotForgeIt) {
+TEST(GravityEstimate, IgnoresShaking) {
   GravityEstimate estimate(kTick);
   estimate.rest({0, 0, kG});
   double most = 0;
@@ -246,7 +246,7 @@ TEST(GravityEstimate, FollowsAQuickTiltAndStaysThere) {
 }
 
 // A head upright that turns about the vertical for a minute, and one that stops then, are upright.
-TEST(GravityEstimate, TurningUprightIsUpright) {
+TEST(GravityEstimate, KeepsUprightDuringAnUprightTurn) {
   Canals canals(kTick);
   GravityEstimate estimate(kTick);
   canals.rest(Vector3d::Zero());
@@ -260,7 +260,7 @@ TEST(GravityEstimate, TurningUprightIsUpright) {
 
 // What lasts longer than two seconds is taken for a tilt: 0.2 g to the front for long is one of atan(0.2) = 11.3
 // degrees.
-TEST(GravityEstimate, AForceThatLastsIsBelieved) {
+TEST(GravityEstimate, FollowsALastingForce) {
   GravityEstimate estimate(kTick);
   estimate.rest({0, 0, kG});
   for (int i = 0; i < 12000; ++i) estimate.advance({0.2 * kG, 0, kG}, Vector3d::Zero());

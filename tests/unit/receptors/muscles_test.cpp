@@ -109,7 +109,7 @@ TEST(TendonOrgan, AStepOvershoots) {
 }
 
 // 40 Hz ln(1 + 20 share): 27.7, 95.9 and 121.8 Hz of 5, 50 and 100 %; a muscle that does not pull is silent.
-TEST(TendonOrgan, TellsForceByItsLogarithm) {
+TEST(TendonOrgan, EncodesTheLogarithmOfForce) {
   EXPECT_NEAR(TendonOrgan::steady_rate(0.05), 27.7, 0.05);
   EXPECT_NEAR(TendonOrgan::steady_rate(0.5), 95.9, 0.05);
   EXPECT_NEAR(TendonOrgan::steady_rate(1), 121.8, 0.05);

@@ -11,7 +11,7 @@ namespace {
 // TouchSim's units fire 44 Hz at a hold of 1 mm, and 45, 68, 115, 225 Hz in the mean of ramps of 5 to 50 mm/s to that
 // depth. The fit to them is a line in the speed, though theirs flatten (4.9 Hz per mm/s at 5 mm/s, 4.1 at 50), so that
 // it is 5 % too low where they are slow and 9 % too high at 50 mm/s. Its own means are 48 0.92^2 / 2 + 4.5 v.
-TEST(TouchAfferents, Sa1TellsDepth) {
+TEST(TouchAfferents, Sa1EncodesDepth) {
   EXPECT_NEAR(sa1_rate(1e-3, 0), 44.2, 0.05);
   EXPECT_EQ(sa1_rate(0, 0), 0);
   EXPECT_EQ(sa1_rate(1e-2, 1), 350);
@@ -27,7 +27,7 @@ TEST(TouchAfferents, Sa1TellsDepth) {
 
 // TouchSim's RA on ramps of 2, 5, 10, 20, 50 mm/s: 0, 6, 32, 53, 117 Hz; the fit to it is 250 u/(u + 60), u = v - 3.
 // Alike on and off, and silent in a hold.
-TEST(TouchAfferents, RaTellsSpeed) {
+TEST(TouchAfferents, RaEncodesSpeed) {
   const double known[][2] = {{2, 0}, {5, 8.1}, {10, 26.1}, {20, 55.2}, {50, 109.8}};
   for (const auto& [speed, rate] : known) {
     EXPECT_NEAR(ra_rate(speed * 1e-3), rate, 0.06) << speed;
@@ -38,7 +38,7 @@ TEST(TouchAfferents, RaTellsSpeed) {
 }
 
 // A ramp of 1 mm at 20 mm/s and back through a filter of 10 ms, in ticks of 5 ms: TouchSim's PC give 1.8 spikes.
-TEST(TouchAfferents, PcTellsTransients) {
+TEST(TouchAfferents, PcEncodesTransients) {
   constexpr double kTick = 0.005;
   const double kept = std::exp(-kTick / 0.01);
   double depth = 0, speed = 0, spikes = 0;
@@ -62,7 +62,7 @@ TEST(TouchAfferents, SkinStiffens) {
 }
 
 // 10 Hz at rest, 30 Hz more a millimetre along; threshold 0.3 mm (estimates).
-TEST(TouchAfferents, Sa2TellsStretchAndItsSide) {
+TEST(TouchAfferents, Sa2EncodesStretchAndItsSide) {
   EXPECT_EQ(sa2_rate(0.2e-3, 0.2e-3), 10);
   EXPECT_NEAR(sa2_rate(1e-3, 1e-3), 40, 1e-9);
   EXPECT_EQ(sa2_rate(-1e-3, 1e-3), 0);
@@ -78,7 +78,7 @@ TEST(TouchAfferents, SlidingOverRidgesIsVibration) {
   EXPECT_EQ(pc_of_sliding(0, {1e-3, 20e-6}), 0);
 }
 
-TEST(Innervation, MeetsWhatWasCounted) {
+TEST(Innervation, AgreesWithCounts) {
   double tip = 0, palm = 0;
   for (std::size_t kind = 0; kind < kTouchKinds; ++kind) {
     tip += afferents_per_square_metre(Region::kFinger, kind);
@@ -91,7 +91,7 @@ TEST(Innervation, MeetsWhatWasCounted) {
 // Corniani and Saal 2020: 230 000 afferents, 34 500 in both palms, 43 700 in face and lips. The rest follows from
 // densities and an adult's 1.8 m^2: trunk 6120 cm^2 at 9, arms 2520 at 12, thighs 3420 and lower legs 2520 at 7, feet
 // 1260 at 21.
-TEST(Innervation, AddsUpToAPerson) {
+TEST(Innervation, AddsUpToTheWholeBody) {
   EXPECT_NEAR(afferents_of(Territory::kHands), 34500, 1);
   EXPECT_NEAR(afferents_of(Territory::kFace), 43700, 1);
   EXPECT_NEAR(afferents_of(Territory::kTrunk), 55080, 1);
@@ -110,7 +110,7 @@ TEST(Innervation, AddsUpToAPerson) {
 }
 
 // Of skin of 33 and things of 22 and 60 degrees; interface, and after 1 and 10 s (the table of materials).
-TEST(SkinTemperature, FollowsWhatTouchesIt) {
+TEST(SkinTemperature, FollowsTheTouchingObject) {
   struct Row {
     const char* name;
     double effusivity, meets_cold, meets_hot, after_1, after_10, hot_1, hot_10;
@@ -168,7 +168,7 @@ TEST(Thermoreceptors, AreMostActiveWhereTheirFibresAre) {
 }
 
 // Each of the eight by itself, as the C library has it: from the cold of space to boiling water.
-TEST(Thermoreceptors, AreEightAtOnce) {
+TEST(Thermoreceptors, ComputeEightAtOnce) {
   for (float degrees = -273; degrees < 100; degrees += 8 * 0.37F) {
     Eight temperatures;
     for (int i = 0; i < 8; ++i) temperatures[i] = degrees + 0.37F * static_cast<float>(i);
@@ -182,7 +182,7 @@ TEST(Thermoreceptors, AreEightAtOnce) {
 }
 
 // Hertz by hand: 1 N with 10 mm makes a patch of 3.35 mm and 28.4 kPa, with 0.5 mm 209 kPa; 10 N with 30 mm 29 kPa.
-TEST(Nociceptors, SharpThingsHurt) {
+TEST(Nociceptors, FireForSharpThings) {
   EXPECT_NEAR(contact_pressure(1, 0.010), 28.4e3, 0.1e3);
   EXPECT_NEAR(contact_pressure(1, 0.0005), 209e3, 1e3);
   EXPECT_NEAR(contact_pressure(10, 0.030), 29e3, 0.5e3);
@@ -193,7 +193,7 @@ TEST(Nociceptors, SharpThingsHurt) {
   EXPECT_NEAR(slow_pressure_rate(2), 6, 1e-12);
 }
 
-TEST(Nociceptors, HeatAndColdHurt) {
+TEST(Nociceptors, FireForHeatAndCold) {
   EXPECT_EQ(slow_heat_rate(33), 0);
   EXPECT_NEAR(slow_heat_rate(45), 4, 1e-12);
   EXPECT_NEAR(fast_heat_rate(48), 10, 1e-12);

@@ -84,12 +84,12 @@ TEST(Reflexes, ThresholdOfWithdrawalRisesWithAge) {
 }
 
 // Cornelissen et al. 2013: both legs alike in newborns.
-TEST(Reflexes, TheOtherLegTakesPartInNewborns) {
+TEST(Reflexes, MoveTheOtherLegInNewborns) {
   EXPECT_EQ(crossed(0), 1);
   EXPECT_EQ(crossed(6), 0);
 }
 
-TEST(Reflexes, NothingHappensBelowTheThreshold) {
+TEST(Reflexes, DoNothingBelowTheThreshold) {
   for (const Reflex reflex : kAll) {
     Arc arc(rule(reflex), 10, kTick);
     EXPECT_EQ(peak(course(arc, 0.999, 5)), 0) << rule(reflex).name;
@@ -110,7 +110,7 @@ TEST(Reflexes, BeginAfterTheirLatencyToTheTick) {
 }
 
 // A stimulus that stays gives one reflex: those that are phasic end by themselves, the tonic ones with the stimulus.
-TEST(Reflexes, HappenOnceForAStimulus) {
+TEST(Reflexes, ActOncePerStimulus) {
   for (const Reflex reflex : kAll) {
     const Rule& its = rule(reflex);
     Arc arc(its, 10, kTick);
@@ -139,14 +139,14 @@ TEST(Reflexes, RunTheirCourse) {
   EXPECT_NEAR(poke(moro, 3), 0.8, 1e-9) << "the second, not the third";
 }
 
-TEST(Reflexes, AFlickeringStimulusIsOne) {
+TEST(Reflexes, TreatAFlickeringStimulusAsOne) {
   Arc arc(rule(Reflex::kWithdrawal), 10, kTick);
   for (int i = 0; i < 2000; ++i) arc.advance(i % 10 == 0 ? 1 : 0);
   EXPECT_EQ(arc.activation(), 0);
 }
 
 // 45 degrees set the tonic neck reflex off, 30 still keep it up, 29 do not.
-TEST(Reflexes, GoBelowTheThresholdBeforeTheyEnd) {
+TEST(Reflexes, EndBelowALowerThreshold) {
   Arc arc(rule(Reflex::kTonicNeck), 5, kTick);
   course(arc, 45.0 / 45, 1);
   EXPECT_EQ(course(arc, 30.1 / 45, 2).back(), 1);
@@ -166,7 +166,7 @@ TEST(Reflexes, HabituateAndRecover) {
   EXPECT_NEAR(poke(arc, 5), 1, 1e-9);
 }
 
-TEST(Reflexes, GoOnExactlyFromWhatIsSaved) {
+TEST(Reflexes, ContinueExactlyFromASavedState) {
   Arc one(rule(Reflex::kMoro), 10, kTick), other(rule(Reflex::kMoro), 10, kTick);
   poke(one, 3);
   course(one, 2, 0.03);  // on its way

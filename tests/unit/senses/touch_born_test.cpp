@@ -78,7 +78,7 @@ TEST(TouchBorn, DistancesAreThoseOfTheSkinAsItIs) {
 }
 
 // A document that says nothing is that of an infant that has not grown.
-TEST(TouchBorn, WithoutBirthAllIsAsItIs) {
+TEST(TouchBorn, ChangesNothingWithoutABirth) {
   const engine::ModelPtr old = grown("");
   const Skin is = skin(*old);
   const Skin plain(*old, {{1, 0.008}, {2, 0.01}});
@@ -88,7 +88,7 @@ TEST(TouchBorn, WithoutBirthAllIsAsItIs) {
     EXPECT_EQ(is.sensors()[i].position, plain.sensors()[i].position);
 }
 
-TEST(TouchBorn, NumbersThatDoNotFitAreRefused) {
+TEST(TouchBorn, RefusesNumbersThatDoNotFit) {
   const auto refused = [](const std::string& message, const std::string& said) {
     const engine::ModelPtr model = grown(said);
     test::expect_error(Status::kModel, message, [&] { skin(*model); });

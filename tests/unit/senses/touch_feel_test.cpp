@@ -59,7 +59,7 @@ TouchOptions with(Response response, TouchFrame frame) {
 
 class TouchFeel : public testing::TestWithParam<Response> {};
 
-TEST_P(TouchFeel, EveryDirectionIsFeltInTheFrameOfTheBody) {
+TEST_P(TouchFeel, FeelsEveryDirectionInTheFrameOfTheBody) {
   Feeler feeler(cube(), {{kCubeBody, 0.008}}, with(GetParam(), TouchFrame::kBody));
   for (std::size_t i = 0; i < 6; ++i) {
     push(feeler, i);
@@ -71,7 +71,7 @@ TEST_P(TouchFeel, EveryDirectionIsFeltInTheFrameOfTheBody) {
   }
 }
 
-TEST_P(TouchFeel, EveryDirectionIsFeltInTheFrameOfTheWorld) {
+TEST_P(TouchFeel, FeelsEveryDirectionInTheFrameOfTheWorld) {
   Feeler feeler(cube(), {{kCubeBody, 0.008}}, with(GetParam(), TouchFrame::kWorld));
   for (std::size_t i = 0; i < 6; ++i) {
     push(feeler, i);
@@ -125,7 +125,7 @@ TEST(TouchFeel, BothSidesOfAContactFeelOppositeForces) {
   EXPECT_LT((on_cube + on_ball).norm(), 1e-5);
 }
 
-TEST(TouchFeel, ThePointLiesOnTheOwnSurfaceOfEither) {
+TEST(TouchFeel, PointsLieOnTheSurfaceOfEachBody) {
   Feeler feeler(cube(), {{kCubeBody, 0.008}});
   push(feeler, 4);
   const engine::Physics& physics = feeler.physics;
@@ -144,7 +144,7 @@ TEST(TouchFeel, ThePointLiesOnTheOwnSurfaceOfEither) {
   }
 }
 
-TEST(TouchFeel, NothingTouchesNothingIsFelt) {
+TEST(TouchFeel, FeelsNothingWithoutContacts) {
   Feeler feeler(cube(), {{kCubeBody, 0.008}});
   for (int i = 0; i < 6; ++i) feeler.physics.data().qpos[i] = 0.05;
   feeler.physics.forward();
@@ -152,7 +152,7 @@ TEST(TouchFeel, NothingTouchesNothingIsFelt) {
   for (std::size_t s = 0; s < feeler.sensors().size(); ++s) EXPECT_TRUE(feeler.row("touch/force", s).isZero());
 }
 
-TEST(TouchFeel, WithoutSkinThereAreNoFields) {
+TEST(TouchFeel, HasNoFieldsWithoutSkin) {
   Feeler feeler(cube(), {});
   EXPECT_TRUE(feeler.sense.fields().empty());
   feeler.feel();

@@ -142,14 +142,14 @@ TEST(TouchMaps, CrossTheSeamOfTwoGeoms) {
   EXPECT_GT(across, 100);
 }
 
-TEST(TouchMaps, LoneSensorsKnowOnlyThemselves) {
+TEST(TouchMaps, LoneSensorsHaveNoNeighbours) {
   const Skin skin = skin_of("<geom type='sphere' size='.01'/><geom type='sphere' size='.01' pos='.015 0 0'/>", 0.02);
   ASSERT_EQ(count(skin), 2);
   EXPECT_EQ(skin.maps().of(0).size(), 1u);
   EXPECT_EQ(skin.maps().of(1).size(), 1u);
 }
 
-TEST(TouchSkin, LeavesOutWhatIsBuried) {
+TEST(TouchSkin, OmitsBuriedPoints) {
   const Skin skin = skin_of("<geom type='sphere' size='.05'/><geom type='box' size='.06 .02 .02'/>", 0.01);
   for (const Sensor& s : skin.sensors()) {
     const Shape box{Shape::Form::kBox, {0.06, 0.02, 0.02}}, sphere{Shape::Form::kSphere, {0.05, 0, 0}};
@@ -160,7 +160,7 @@ TEST(TouchSkin, LeavesOutWhatIsBuried) {
   EXPECT_NEAR(count(skin), 314 - 2 * 16 + 2 * (16 + 4 * 4 * 1.4), 0.1 * 359);
 }
 
-TEST(TouchSkin, APointInsideAnotherGeomIsLeftOutAndHidesNothing) {
+TEST(TouchSkin, OmitsPointsInsideOtherGeomsWithoutHidingOthers) {
   const Skin skin = skin_of("<geom type='sphere' size='.05'/><geom type='sphere' size='.005'/>", 0.01);
   for (const Sensor& s : skin.sensors()) EXPECT_EQ(s.geom, 0);
   EXPECT_GT(count(skin), 100);
@@ -255,7 +255,7 @@ TEST(TouchSkin, APartInsideAMeshHasNoSensors) {
   EXPECT_GT(outer, 50);
 }
 
-TEST(TouchSkin, GeomsThatTouchNothingHaveNone) {
+TEST(TouchSkin, HasNoSensorsOnGeomsWithoutContacts) {
   const Skin skin =
       skin_of("<geom size='.05' contype='0' conaffinity='0'/><geom size='.01' pos='.1 0 0' contype='0'/>", 0.005);
   for (const Sensor& s : skin.sensors()) EXPECT_EQ(s.geom, 1);

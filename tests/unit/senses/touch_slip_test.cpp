@@ -81,7 +81,7 @@ TEST_P(TouchSlip, IsTheSpeedOfASlidingBlock) {
   expect_slip(feeler, kBlock, -velocity);  // the slab slides backwards over the block's skin
 }
 
-TEST_P(TouchSlip, IsNoneWhereABlockSticks) {
+TEST_P(TouchSlip, IsZeroWhereABlockSticks) {
   const double angle = 0.3;
   Feeler feeler(slope(angle, GetParam()), {{kSlab, 0.05}, {kBlock, 0.01}}, all_outputs());
   feeler.physics.step(2000);
@@ -114,7 +114,7 @@ TEST(TouchSlip, CreepIsSeenWithAThresholdOfZero) {
   for (const std::size_t i : sensors) EXPECT_GT(slip_of(feeler, i).norm(), 0);
 }
 
-TEST(TouchSlip, FrictionlessContactsUseNone) {
+TEST(TouchSlip, UsesNoFrictionInFrictionlessContacts) {
   const auto model = test::compiled(
       "<mujoco><option timestep='0.005'/><worldbody><body><geom type='box' size='1 1 .05'/></body><body pos='0 0 .1'>"
       "<freejoint/><geom type='sphere' size='.05' condim='1'/></body></worldbody></mujoco>");

@@ -52,7 +52,7 @@ TEST_P(TouchSpread, NothingReachesBeyondTwoSpacings) {
   }
 }
 
-TEST_P(TouchSpread, OutOfReachItIsTheNearestSensorOfTheBody) {
+TEST_P(TouchSpread, FallsBackToTheNearestSensorOfTheBody) {
   // The first geom has one sensor only, which the touch misses by far; the second has a nearer one.
   const Skin skin = skin_of("<geom size='.004'/><geom type='box' size='.02 .02 .02' pos='.1 0 0'/>");
   Spread spread(skin, GetParam());

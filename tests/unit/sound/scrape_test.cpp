@@ -54,7 +54,7 @@ TEST(Scrape, FollowsSpeedAndForce) {
   EXPECT_NEAR(level({0.1, 10, false}) - level({0.1, 1, false}), 10, 1e-9);
 }
 
-TEST(Scrape, IsSilentAtRestAndOfSoftThings) {
+TEST(Scrape, IsSilentAtRestAndForSoftMaterials) {
   EXPECT_EQ(scrape_level(of(kWood), of(kWood), {0.02, 1, false}).pressure, 0);
   EXPECT_EQ(scrape_level(of(kWood), of(kWood), {1, 0, false}).pressure, 0);
   EXPECT_EQ(scrape_level(of(kFoam), of(kFoam), {1, 1, false}).pressure, 0);
@@ -63,7 +63,7 @@ TEST(Scrape, IsSilentAtRestAndOfSoftThings) {
   EXPECT_FALSE(still.sound({}, 0, kRate, block));
 }
 
-TEST(Scrape, HasItsLevelAndIsBrighterWhenFaster) {
+TEST(Scrape, HasTheMeasuredLevelAndIsBrighterWhenFaster) {
   for (const double speed : {0.1, 0.3, 0.8}) {
     const ScrapeLevel wanted = scrape_level(of(kWood), of(kWood), {speed, 1, false});
     EXPECT_NEAR(10 * std::log10(square(noise(wanted, speed)) / std::pow(wanted.pressure, 2)), 0, 0.5) << speed;

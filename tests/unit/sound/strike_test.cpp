@@ -43,7 +43,7 @@ Click of(const Solid& solid, const Solid& under, double mass, double size, doubl
 }
 
 // Hertz' formula for the touch, a dipole's exact solution for the sound: worked out apart from this library.
-TEST(Click, IsAsLoudAsTheFormulaSays) {
+TEST(Click, HasTheLoudnessOfTheFormula) {
   struct Row {
     double speed, duration, peak, level;
   };
@@ -63,14 +63,14 @@ TEST(Click, IsAsLoudAsTheFormulaSays) {
 }
 
 // Skin gives way: it touches for some ten milliseconds, and hardly anything of that is above 100 Hz.
-TEST(Click, OfAHandIsHardlyAny) {
+TEST(Click, IsNearlySilentForAHand) {
   const Click made = of(kHand, kWood, 0.06, 0.02, 0.3);
   EXPECT_GT(made.duration, 8e-3);
   EXPECT_LT(made.duration, 13e-3);
   EXPECT_LT(peak_level(made, 1e5), 32);
 }
 
-TEST(Click, IsAsLoudWhereverItFallsBetweenSamples) {
+TEST(Click, HasTheSameLoudnessBetweenSamples) {
   const Click made = of(kWood, kWood, 0.05, 0.02, 1);
   const double exact = event_level(made, 1e6);
   for (const double onset : {0.0, 0.1, 0.25, 0.5, 0.77, 0.9}) {
@@ -97,7 +97,7 @@ TEST(Ringing, HasTheEnergyOfItsFormula) {
   EXPECT_NEAR(sum / (1e-4 * 0.5 * 0.05 * 1.2 * 343 / (4 * 3.14159265)), 1, 0.02);
 }
 
-TEST(Ringing, IsNothingOfSoftThings) {
+TEST(Ringing, IsSilentForSoftMaterials) {
   const Struck hand = block(kHand);
   EXPECT_EQ(ringing(strike(hand, table(kWood), 1), hand).count, 0U);
 }

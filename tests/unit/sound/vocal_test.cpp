@@ -61,7 +61,7 @@ double band(const std::vector<float>& samples, double low, double high) {
 }
 
 // Whatever the vowel and the pitch.
-TEST(Voice, IsAsLoudAsItIsTold) {
+TEST(Voice, HasTheGivenLoudness) {
   for (const double pitch : {300.0, 445.0, 629.0}) {
     for (const Utterance& vowel : {Utterance{1, 0, 1, 1}, Utterance{1, 0, 1.3, 0.7}, Utterance{1, 0, 0.7, 1.3}}) {
       EXPECT_NEAR(level(settled(pitch, vowel)), 82, 0.7) << pitch << " " << vowel.opening;
@@ -70,7 +70,7 @@ TEST(Voice, IsAsLoudAsItIsTold) {
   EXPECT_NEAR(level(settled(445, {0.5, 0, 1, 1})), 82 - 12.04, 0.7);  // a quarter of the pressure
 }
 
-TEST(Voice, HasThePitchThatItIsTold) {
+TEST(Voice, HasTheGivenPitch) {
   for (const double octaves : {-0.5, 0.0, 0.5}) {
     const std::vector<float> said = settled(445, {1, octaves, 1, 1});
     const double expected = 445 * std::pow(2, octaves);
@@ -103,7 +103,7 @@ TEST(Voice, FallsSilent) {
   EXPECT_FALSE(speaker.utter({}, block));
 }
 
-TEST(Voice, GoesOnFromASavedState) {
+TEST(Voice, ContinuesFromASavedState) {
   Vocal one = voice(), other = voice();
   say(one, {0.8, 0.2, 1.1, 0.9}, 0.123);
   ByteWriter counter;
