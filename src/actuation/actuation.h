@@ -61,7 +61,7 @@ class Actuation {
   virtual void reset(engine::Physics&) {}
   // Sets the commands for the coming step; actions are finite, or NaN for a command that stays as it is.
   void apply(Span<const float> actions, engine::Physics& physics);
-  // Before each physics step, for what goes on by itself.
+  // Before each physics step, for what changes between actions.
   virtual void advance(engine::Physics&) {}
 
   // Of two muscles a motor, first those that pull to the negative side, the share of their largest force that they

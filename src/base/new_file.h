@@ -7,7 +7,7 @@
 
 namespace mimo {
 
-// A name that nobody has thought of, in the same folder as a file: to move there needs no room on the disk.
+// An unused name in the folder of a file: moving within a folder needs no room on the disk.
 std::filesystem::path beside(const std::filesystem::path& file, const std::string& ending = "");
 
 // Moves a file to a name that must be free. Where it is not, the error is file_exists, and both stay as they are.

@@ -39,7 +39,7 @@ constexpr std::uint32_t bits_of(const Table& table) {
   return all;
 }
 
-// Delays are seconds; whoever keeps what is on its way counts steps.
+// Delays are given in seconds; delay lines count steps.
 
 // The nearest number of steps, each of `step` seconds.
 inline std::size_t steps_of_delay(double seconds, double step) {

@@ -105,7 +105,7 @@ void Pool::open(Job& job, std::size_t count, std::size_t helpers) {
   for (std::size_t i = 0; i < helpers; ++i) workers_[i]->wake.notify_one();
 }
 
-// Waits for those who came. Who is late finds the invitation gone: on a busy machine nobody waits for a thread only
+// Waits for the threads that joined. A late thread finds no job: on a busy machine nothing waits for a thread only
 // to learn that there is nothing left for it to do.
 void Pool::close() {
   stay_awake([this] { return done(); });

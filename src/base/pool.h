@@ -16,7 +16,7 @@
 
 namespace mimo {
 
-// A thread of ours in the host's process.
+// A thread of the library in the host's process.
 
 // Signals that are sent to the process are the host's business: this thread takes none, from its first moment on. Its
 // stack is large enough for us, also where the host's threads have small ones.
@@ -88,7 +88,7 @@ class Pool {
   std::atomic<std::size_t> inside_{0};  // workers that are working
   Job* job_ = nullptr;
   std::size_t count_ = 0;
-  std::atomic<std::size_t> next_{0};  // the first item that nobody has taken
+  std::atomic<std::size_t> next_{0};  // the first item that no thread has taken
 };
 
 }  // namespace mimo

@@ -29,7 +29,7 @@ class Random {
   std::array<std::uint64_t, 4> state_{};
 };
 
-// Gaussian noise that follows from seeds alone: whoever asks again hears the same.
+// Gaussian noise that depends on seeds alone: the same seeds give the same noise.
 
 // What the noise of one field or path is made of in one step of an episode.
 inline std::uint64_t noise_seed(std::uint64_t episode, std::uint64_t step, const std::string& name) {

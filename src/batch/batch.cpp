@@ -68,7 +68,7 @@ void Batch::require_access(std::size_t world) const {
 
 bool Batch::works_on_this_thread() const { return works_for(this); }
 
-// Worlds that nobody seeds are not all alike.
+// Worlds without a given seed still differ from each other.
 void Batch::add_world(const env::CompiledWorldPtr& compiled, const blueprint::WorldsByAgePtr& ages, const void* host) {
   const std::size_t i = worlds_.size();
   const std::uint64_t seed = i;

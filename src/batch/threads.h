@@ -59,7 +59,7 @@ class AtWork {
 // The renderers of a batch: one for each thread instead of one for each world. They draw the same, and a thousand
 // worlds would otherwise hold a thousand copies of all textures.
 
-// Hands on to a renderer that nobody else draws with. It stands in every world of the batch for a renderer of its own.
+// Forwards to a renderer that no other thread uses. Each world of the batch has one instead of its own renderer.
 class SharedRenderers : public render::Renderer {
  public:
   // `batch` is the one that it belongs to, as workplaces name it.

@@ -36,10 +36,10 @@ class WorldsByAge {
   const SceneEdit& as_described() const { return edit_; }
   // How they are described with infants of these ages. Throws what growing throws.
   SceneEdit described_at(const Growths& growths) const;
-  // All as they are described, but for `ages`; what the compiler has to say goes to `scene_log`. Throws
+  // All as described, except `ages`; what the compiler has to say goes to `scene_log`. Throws
   // Status::kInvalidArgument for agents that are no infants, and what growing and compiling throw.
   env::CompiledWorldPtr as_described(const Ages& ages, const LogSink& scene_log);
-  // As in one of these, but for `ages`.
+  // As in one of these, except `ages`.
   env::CompiledWorldPtr grown(const env::CompiledWorld& now, const Ages& ages);
 
  private:

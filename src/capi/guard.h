@@ -26,7 +26,7 @@ struct LastError {
 
 const LastError& last_error() noexcept;
 
-// Keeps the message for this thread, and with the handle (if it is one) for whoever asks on another thread.
+// Keeps the message for this thread, and with the handle, if there is one, for other threads.
 mimo_status report(const void* handle, Status status, const char* message) noexcept;
 
 // A function of the user's runs: what it leaves behind is its own. Afterwards the thread knows what it knew before.

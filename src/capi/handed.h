@@ -17,7 +17,7 @@ namespace mimo::capi {
 // The header promises this many bytes, zero where our struct has none: a newer function may read and write them.
 constexpr std::size_t kHandedBytes = 256;
 
-// Zero, but for the struct's size.
+// Zero, except the struct's size.
 template <typename T>
 class Handed {
  public:

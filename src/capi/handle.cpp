@@ -219,7 +219,7 @@ void end_with_call(void* handle) noexcept { static_cast<Control*>(handle)->users
 
 void keep_for_owner(void* handle) noexcept { static_cast<Control*>(handle)->kept = true; }
 
-// Whoever is there is about to find that the owner goes, and leaves.
+// A thread that is in here finds that the owner is leaving, and leaves, too.
 void await_nobody(void* handle) noexcept {
   auto* control = static_cast<Control*>(handle);
   Users nobody = 0;

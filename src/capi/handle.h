@@ -44,11 +44,11 @@ enum class Admission { kNone, kEntered, kWithin, kBusy };
 
 // A call begins. What has kEntered has to leave. Throws Status::kBadHandle for a handle that is being destroyed.
 Admission enter_handle(const void* handle, HandleType type, Sharing sharing, const char* argument);
-// True where the handle was destroyed meanwhile and nobody else uses it: the caller retires it and deletes its object.
+// True if the handle was destroyed meanwhile and no other call uses it: the caller retires it and deletes its object.
 bool leave_handle(const void* handle, Sharing sharing) noexcept;
 // Whether this thread is in a call on any handle, so in a function that the call runs.
 bool in_a_call() noexcept;
-// Nobody enters the handle any more. True where nobody uses it: the caller retires it and deletes its object. Leaves
+// No further call enters the handle. True if no call uses it: the caller retires it and deletes its object. Leaves
 // alone what this thread is in, and what is kept for its owner.
 bool condemn_handle(void* handle, HandleType type) noexcept;
 // The handle goes with the call of this thread that has it alone.

@@ -71,7 +71,7 @@ void check_agent(const Agents& agents, std::size_t agent) {
 
 mimo_env* wrap_env(std::unique_ptr<EnvObject> object);
 
-// The handles of a batch's worlds, null for those that nobody has asked for.
+// The handles of a batch's worlds; null until a caller asks for one.
 struct Views {
   explicit Views(std::size_t worlds) : handles(worlds) {}
   ~Views();
@@ -119,7 +119,7 @@ struct RecordingObject {
   std::string build;                                // of this library
 };
 
-// Throws where a handle cannot be used now, whoever asks.
+// Throws if no caller can use the handle now.
 inline void require_access(const SceneObject&) {}
 inline void require_access(const EnvObject& env) {
   if (env.batch != nullptr) env.batch->require_access(env.number);
@@ -189,7 +189,7 @@ struct HandleTraits<mimo_env> : Behind<EnvObject, HandleType::kEnv> {
   static constexpr const char* kName = "env";
 };
 
-// Worlds, from their configs to options.
+// Worlds: from their configs to options.
 
 mimo_env_config default_env_config();
 env::EnvOptions env_options(const mimo_env_config& config);

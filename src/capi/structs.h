@@ -41,7 +41,7 @@ void check_tail(const T* theirs, std::size_t size, const char* argument) {
        argument, sizeof(T), MIMO_API_MAJOR, MIMO_API_MINOR);
 }
 
-// A caller's struct. What it lacks of ours counts as zero: that is what its version did.
+// A caller's struct. Members that the caller does not know are zero, which is the old behaviour.
 template <typename T>
 T read_struct(const T* theirs, const char* argument) {
   const std::size_t size = theirs->struct_size;

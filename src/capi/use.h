@@ -50,7 +50,7 @@ class Use {
          in_a_call() ? ", or by the call that runs this function" : "");
   }
 
-  // Worlds of a batch are used by different threads while nobody has the batch to itself.
+  // Different threads use worlds of a batch while no call has exclusive use of the batch.
   void enter_whole() {
     const void* const whole = whole_of(object());
     if (whole == nullptr) return;

@@ -30,7 +30,7 @@ mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, std
 // Those of a world that moves, without the seed.
 void add_recorded_options(CLI::App& command, WorldOptions& options);
 
-// The world of a recording, whose senses are as recorded but for those that `command` was given options of. One of a
+// The world of a recording, whose senses are as recorded, except those for which `command` got options. One of a
 // version that kept no world is made of the options alone. Throws a Failure that names the file, where options are
 // given or missing for that.
 mimo::Env open_recorded(const std::string& file, const mimo::Recording& recording, const WorldOptions& options,

@@ -184,7 +184,8 @@ double Counts::key_bytes() const {
   return kNumber * each * std::max(keyframes_, size("nkey", 0));
 }
 
-// Muscles, or all actuators, are moved to both ends, step by step, to find how long they can be, if nobody says it.
+// Muscles, or all actuators, are moved to both ends, step by step, to find their range of length, unless the document
+// gives it.
 double Counts::lengths_seconds(pugi::xml_node root) const {
   constexpr double kStep = 1e-6, kDegree = 0.2e-6, kEnds = 2;
   const std::string mode = lengths_.attribute("mode").value();

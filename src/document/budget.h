@@ -30,7 +30,7 @@ struct Limits {
 };
 
 // What a document costs, estimated before MuJoCo's compiler sees it: bytes, which it counts in ints, and its time, in
-// which nobody else in the process can make a world.
+// which no other thread in the process can create a world.
 
 class Budget {
  public:

@@ -35,7 +35,7 @@ struct Composite {
   pugi::xml_node skin;  // empty where it has none
 };
 
-// The parts of a composite: what its document says of them, and what MuJoCo says by itself.
+// The parts of a composite: attributes from its document, and MuJoCo's defaults.
 
 // How soft constraints are: solref and solimp.
 struct Softness {

@@ -76,7 +76,7 @@ void hand_over(const Files& files, pugi::xml_node node, pugi::xml_attribute attr
 }
 
 // The compiler makes a step of what it has compiled, in which every geom may be asked about every other one: for as
-// long as that takes, nobody else could compile. Whether the document itself has contacts.
+// long as that takes, no other thread could compile. Whether the document itself has contacts.
 bool leave_out_contacts(pugi::xml_node root) {
   constexpr const char* kOff = "disable";
   bool had = true;
@@ -89,7 +89,7 @@ bool leave_out_contacts(pugi::xml_node root) {
   return had;
 }
 
-// Every kind of actuator but the general one decides about the state by itself, in classes, too.
+// Every kind of actuator except the general one sets the state, also in classes.
 bool has_state(pugi::xml_node actuator, const Defaults& defaults) {
   const pugi::xml_node decides = defaults.first(
       actuator, [](pugi::xml_node node) { return !is(node, "general") || !node.attribute("dyntype").empty(); });

@@ -56,7 +56,7 @@ class LoadedFile {
   // not there is refused too.
   LoadedFile(pugi::xml_node asset, const char* attribute, const Limits& limits);
 
-  // One of ours, which needs no check and is not read.
+  // A built-in file, which needs no check and is not read.
   bool built_in() const { return built_in_; }
   const std::string& bytes() const { return bytes_; }
   const std::string& path() const { return path_; }

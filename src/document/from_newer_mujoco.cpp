@@ -139,7 +139,8 @@ constexpr Word kHarmlessWords[] = {{"actearly", "false"},
                                    {"inertia", "convex"},
                                    {"actdim", "-1"}};
 
-// Whole elements: sensors that only nobody can read any more, and defaults of what has none yet.
+// Whole elements: sensors that are only missing from the output, and defaults of elements that have none in this
+// version.
 constexpr Names kHarmlessSensors = {
     "camprojection", "jointactuatorfrc", "tendonactuatorfrc", "insidesite", "distance", "normal",
     "fromto",        "contact",          "e_potential",       "e_kinetic",  "tactile"};
@@ -305,7 +306,7 @@ void translate_cameras(pugi::xml_node root, Report& report) {
         is_orthographic(defaults, camera) ? show_in_perspective(camera, report) : translate(camera, defaults, report);
     if (translated) done.push_back(camera);
   });
-  // What is left out without having been translated is told of elsewhere.
+  // Elements that are omitted without a translation are reported elsewhere.
   if (!done.empty()) done.insert(done.end(), classes.begin(), classes.end());
   for (pugi::xml_node camera : done) {
     for (const char* attribute : kTranslated) camera.remove_attribute(attribute);

@@ -14,7 +14,7 @@ namespace mimo::document {
 
 // Whether points span a space.
 
-// Whether all points lie in one plane, but for some ten roundings of their coordinates, which are floats.
+// Whether all points lie in one plane, except for about ten roundings of their coordinates, which are floats.
 bool is_flat(const std::vector<std::array<double, 3>>& points);
 
 // Convex hulls, as far as one can tell of them before MuJoCo makes them.

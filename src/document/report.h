@@ -1,4 +1,4 @@
-// Where elements were written (file and line stay with them in an attribute), and what an author is told of changes.
+// Where elements were written (file and line stay with them in an attribute), and reports about changes to it.
 #pragma once
 
 #include <pugixml.hpp>
@@ -10,7 +10,7 @@
 namespace mimo::document {
 
 // Where elements were written: file and line stay with them through includes and composition, in an attribute of our
-// own that nobody else sees.
+// own that no other program sees.
 
 // Notes for every element of a document just parsed from `text` where it stands.
 void note_lines(pugi::xml_document& document, const std::string& text, const std::string& file);
@@ -27,7 +27,7 @@ std::vector<std::string> take_lines(pugi::xml_node root);
 // A message of the compiler's with the user's file and line in place of those of the composed text.
 std::string with_users_lines(const std::string& message, const std::string& xml, const std::vector<std::string>& notes);
 
-// What a document's author is told of what was changed in it.
+// Reports to a document's author about changes.
 
 // Warnings of one kind are one message, whose place is the first.
 class Report {

@@ -51,7 +51,7 @@ class Loader {
   std::set<std::string> included_;
 };
 
-// A scene on disk, for whoever has MuJoCo but not libmimo.
+// A scene on disk, for users who have MuJoCo without libmimo.
 
 // A document and all that it refers to: "assets/floor.png".
 struct Package {

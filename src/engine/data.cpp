@@ -246,7 +246,7 @@ DataPtr make_data(const mjModel& model) { return made(model); }
 
 #else
 
-// The Jacobian lies behind what MuJoCo takes for the whole buffer and clears in a reset: of memory that nobody touches
+// The Jacobian lies behind what MuJoCo takes for the whole buffer and clears in a reset: of memory that no code touches
 // the system gives none.
 DataPtr make_data(const mjModel& model) {
   require_countable(model);

@@ -14,8 +14,8 @@
 namespace mimo::engine {
 
 // One model is compiled at a time: MuJoCo's compiler has a lock for the whole process anyway, which printing its schema
-// takes as well. Ours lets fork() wait until nobody is in there, because a child has only the thread that forked, and
-// would never see MuJoCo's lock open.
+// takes as well. The library's lock makes fork() wait until no thread compiles, because a child has only the thread
+// that forked, and would never see MuJoCo's lock open.
 
 class CompileLock {
  public:

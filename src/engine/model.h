@@ -55,7 +55,7 @@ int find(const mjModel& model, Kind kind, const char* name);  // -1 when there i
 int find_or_fail(const mjModel& model, Kind kind, const std::string& name);
 const char* word(Kind kind);  // "joint"
 
-// What a document says in its <custom> section: plain MJCF in which it speaks to whoever knows the names.
+// What a document says in its <custom> section: plain MJCF with settings for programs that know the names.
 
 // "" if there is none of that name.
 std::string custom_text(const mjModel& model, const std::string& name);

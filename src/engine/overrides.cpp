@@ -63,7 +63,7 @@ Column<T> not_negative(const char* what, T* mjModel::*array, int count) {
   return {what, array, count, 1, 0};
 }
 
-// All of them, but for materials. What follows from masses is among them: finding it out anew would take long, and its
+// All of them, except materials. What follows from masses is among them: finding it out anew takes long, and its
 // last digits depend on how the masses came to be.
 template <typename Visit>
 void visit_columns(const mjModel& model, Visit&& visit) {
@@ -217,7 +217,7 @@ void Overrides::paint(mjModel& model, int geom, int material) {
   own(model, &mjModel::geom_matid, model.ngeom)[geom] = material;
 }
 
-// What MuJoCo's compiler would compute, but for the statistic of mean inertia, which scales the solver's tolerance
+// What MuJoCo's compiler would compute, except the statistic of mean inertia, which scales the solver's tolerance
 // only.
 void Overrides::shape_ball(mjModel& model, int body, double radius, double mass) {
   own_masses(model);

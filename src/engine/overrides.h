@@ -50,7 +50,7 @@ class Overrides {
   // Size (m) and mass (kg) of a ball, with everything that follows from them.
   void shape_ball(mjModel& model, int body, double radius, double mass);
   // Masses (kg, above 0) of bodies that have one; their inertias grow along, and everything that MuJoCo's compiler
-  // derives from both follows, but for the statistic of mean inertia. Throws Status::kInvalidArgument, with nothing
+  // derives from both follows, except the statistic of mean inertia. Throws Status::kInvalidArgument, with nothing
   // changed, for masses with which it cannot calculate.
   void set_masses(mjModel& model, Span<const std::int32_t> bodies, Span<const double> masses);
   // Size of a geom that has a size_count, and the sphere around it; others stay. So does its body's mass.
@@ -89,7 +89,7 @@ class Overrides {
   std::vector<std::unique_ptr<std::uint8_t[]>> arrays_;
 };
 
-// Whether a body is a ball that flies by itself: a free joint, and nothing but one sphere.
+// Whether a body is a single flying ball: a free joint, and nothing but one sphere.
 bool is_ball(const mjModel& model, int body);
 
 // How many numbers say how large a geom is; 0 for planes and for those that have their shape from a file.

@@ -13,7 +13,7 @@
 namespace mimo::engine {
 namespace {
 
-// MuJoCo resets a diverged state by itself and says so in these counters; for us the world has failed.
+// MuJoCo resets a diverged state and reports that in these counters; the library marks the world as failed.
 constexpr mjtWarning kDivergence[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
 
 bool diverged(const mjData& data) {

@@ -65,7 +65,7 @@ class Attached {
   std::vector<Perception> agents_;
   std::vector<std::int32_t> driven_;
   observation::Observer observer_;
-  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null where nobody hears
+  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null if no agent hears
   observation::LimitedSenses limits_;
   Random random_;
   Episode episode_;

@@ -18,7 +18,7 @@ using SkinPtr = std::shared_ptr<const senses::touch::Skin>;
 // The skins of a model's agents, which its worlds have in common. Thread-safe.
 class Skins {
  public:
-  // Null where nobody has brought one yet.
+  // Null until a renderer is set.
   SkinPtr of(std::size_t agent) const;
   // The first one that is brought stays.
   void keep(std::size_t agent, const SkinPtr& skin);

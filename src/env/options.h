@@ -90,14 +90,14 @@ using FurtherSense = std::function<std::unique_ptr<observation::Sense>(const mjM
 struct Identity {
   std::uint64_t seed = 0;      // of the random stream, until a reset gives another
   std::size_t number = 0;      // in its batch
-  const void* host = nullptr;  // what whoever made the world knows it by; handed on to tasks of the user's own
+  const void* host = nullptr;  // the caller's handle of the world, passed to the user's own tasks
 };
 
 // Makes a task of the user's own for one agent of a world.
 using CustomTask = std::function<std::unique_ptr<tasks::Task>(const Identity& world, std::size_t agent)>;
 
 // What draws. Auto: rays where the model allows it, else OSMesa, which is said in the log. Gl: EGL. None: nothing is
-// observed, and who asks for a picture gets it as by auto.
+// observed; explicit pictures use kAuto.
 enum class RendererChoice { kAuto, kRay, kOsmesa, kGl, kNone };
 // By its name, "auto", "ray", "osmesa", "gl" or "none"; throws for another one.
 RendererChoice renderer_from(const std::string& name);

@@ -80,7 +80,7 @@ std::vector<double> delays_of(const Field& field, Share share, const Ways& ways)
   return delays;
 }
 
-// What was asked for by itself, or with the age.
+// Settings that were given explicitly, or follow from the age.
 Maturity maturity_of(const AgentOptions& options) {
   if (options.maturity) return *options.maturity;
   const growth::Growth& growth = options.growth;

@@ -46,7 +46,7 @@ struct Setting {
   double tick;  // from one advance of the senses' processes to the next, s
   senses::touch::ThingsPtr things;
   std::size_t ticks;                         // of a step
-  senses::Soundscape* soundscape = nullptr;  // null where nobody hears
+  senses::Soundscape* soundscape = nullptr;  // null if no agent hears
 };
 
 // Finds the agent in the model and attaches the senses that its options ask for; `renderer` is needed only for vision.
@@ -94,7 +94,7 @@ struct Agent : Perception {
   double mass = 0;
   double height = 0;
   std::optional<Age> age{};  // of an infant
-  growth::Growth growth{};   // likewise: what it was asked to be
+  growth::Growth growth{};   // the same: the requested growth
 };
 
 // Makes the task of one agent, by its number.

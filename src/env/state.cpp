@@ -129,7 +129,7 @@ bool is_one_state(Span<const std::uint8_t> bytes) {
   if (bytes.size() < kStateHeaderBytes) return false;
   ByteReader from(bytes);
   if (from.take<std::uint64_t>() != kMagic) return false;
-  from.take<std::uint64_t>();  // its version, for whoever loads it
+  from.take<std::uint64_t>();  // its version, for the section's own check
   return from.take<std::uint64_t>() == bytes.size();
 }
 

@@ -30,9 +30,9 @@ void seal_state(Span<std::uint8_t> state);
 // What a state did not hold of what loaded it.
 struct LoadReport {
   std::size_t fresh = 0;      // sections that started afresh
-  std::size_t ignored = 0;    // sections of the state that nobody here has a use for
+  std::size_t ignored = 0;    // sections of the state that this world does not use
   std::string fresh_names;    // with ", " between them
-  std::string ignored_names;  // likewise
+  std::string ignored_names;  // the same
 };
 
 class Archive {

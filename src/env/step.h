@@ -21,7 +21,7 @@ struct Episode {
   std::uint64_t noise = 0;  // seed; the same random stream gives the same, and uses up nothing of it
 
   // `anew`: the stream was just seeded. Else noise goes on from that of the episode before, so that it differs even
-  // where nobody draws random numbers.
+  // where nothing draws random numbers.
   void start(const Random& random, bool anew) {
     std::array<std::uint8_t, 32> bytes{};
     ByteWriter writer{Span<std::uint8_t>(bytes)};
@@ -102,7 +102,7 @@ class StepContacts {
   std::vector<Now> now_;  // of the pairs
 };
 
-// Whoever follows the steps of a world, as a recording does. Whatever goes wrong with it is its own affair: the world
+// Follows the steps of a world, as a recorder does. Errors in it do not affect the world: the world
 // goes on.
 
 class World;

@@ -39,7 +39,7 @@ void for_geoms(const mjModel& model, int root, Change&& change) {
   }
 }
 
-// Calls infant(geom) for the skin of infants, then told(geom, thing) for what is told of bodies.
+// Calls infant(geom) for the skin of infants, then told(geom, thing) for things that users described.
 template <typename Infant, typename Told>
 void for_things(const mjModel& model, const std::vector<AgentOptions>& agents, const EnvOptions& options,
                 Infant&& infant, Told&& told) {

@@ -22,7 +22,7 @@ namespace mimo::env {
 senses::touch::ThingsPtr things_of(const mjModel& model, const std::vector<AgentOptions>& agents,
                                    const EnvOptions& options);
 
-// What it sounds like when it is struck: likewise.
+// How things sound when struck, in the same way.
 std::shared_ptr<const std::vector<sound::Solid>> solids_of(const mjModel& model,
                                                            const std::vector<AgentOptions>& agents,
                                                            const EnvOptions& options);
@@ -32,13 +32,13 @@ void check_material(const std::string& name);
 // The index-th one that is known, null past the last. Static string.
 const char* material_name(std::size_t index);
 
-// What sounds in a world, for whoever plays and hears there.
+// Sounds in a world, for agents that hear and hosts that play.
 
-// Null where nobody hears; else it belongs to the observer, before the senses that hear.
+// Null if no agent hears; otherwise the observer owns it, before the senses that hear.
 senses::Soundscape* add_soundscape(observation::Observer& observer, const mjModel& model, double tick,
                                    const std::vector<AgentOptions>& agents, const EnvOptions& options);
 
-// Throws Status::kUnsupported where nobody hears, kNotFound for a body that there is not, and what Soundscape::play
+// Throws Status::kUnsupported if no agent hears, kNotFound for a missing body, and what Soundscape::play
 // does; samples are finite numbers then.
 void play(senses::Soundscape* soundscape, const mjModel& model, const std::string& body, Span<const float> samples,
           double rate);

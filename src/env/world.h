@@ -43,7 +43,7 @@ class World {
 
   const mjModel& model() const { return physics_.model(); }
   const mjData& data() const { return physics_.data(); }
-  // For whoever changes it: counts as a change.
+  // For callers that change it: counts as a change.
   engine::Physics& physics() {
     ++changes_;
     return physics_;
@@ -117,7 +117,7 @@ class World {
   void show_face(std::size_t agent, int face);
   int face(std::size_t agent) const;  // -1 for an agent that shows none of them
 
-  // Who is told of each step; null: nobody.
+  // Called after each step; null: none.
   const std::shared_ptr<StepObserver>& step_observer() const { return step_observer_; }
   void tell(std::shared_ptr<StepObserver> observer) { step_observer_ = std::move(observer); }
   // The observer of a world whose place this one has taken.
@@ -174,7 +174,7 @@ class World {
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   observation::Observer observer_;
-  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null where nobody hears
+  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null if no agent hears
   observation::LimitedSenses limits_;
   Random random_;
   std::size_t number_;  // in its batch

@@ -23,7 +23,7 @@ class Conversion {
 
   Eigen::Vector3d point(const Eigen::Vector3d& p) const { return units_ * (axes_ * p); }
   Eigen::Vector3d direction(const Eigen::Vector3d& v) const { return axes_ * v; }
-  // Four numbers in the order of that engine: w x y z of ours, x y z w of the others.
+  // Four numbers in the order of that engine: w x y z in MuJoCo, x y z w in the others.
   Eigen::Vector4d rotation(const Eigen::Quaterniond& q) const;
   // Whether the corners of a triangle, counter-clockwise from outside in our frame, have to be given the other way.
   bool flips() const { return flips_; }

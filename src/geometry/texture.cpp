@@ -87,7 +87,7 @@ class CubeLayer {
     return major > (1 - kSlack) * q.cwiseAbs().maxCoeff();
   }
 
-  // Faces meet where two of a direction's numbers are alike but for the sign.
+  // Faces meet where two components of a direction are equal except for the sign.
   std::vector<Polygon> cut(const Polygon& polygon) const {
     std::vector<Polygon> pieces = {polygon};
     for (int axis = 0; axis < 3; ++axis) {

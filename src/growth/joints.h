@@ -8,7 +8,7 @@
 
 namespace mimo::growth {
 
-// How strong an infant is. Nobody has measured voluntary torques before three years: all of it is estimated, from how
+// How strong an infant is. No study has measured voluntary torques before three years: all of it is estimated, from how
 // muscles grow and from what infants of an age can do.
 
 // Sets gears and muscles' peak forces of a body that has its sizes and masses.
@@ -22,7 +22,7 @@ double neck_ratio(double age);
 // Sets limits, and where the springs of hips, knees and elbows pull to, of a body that has the base's.
 void limit(Skeleton& body, const Growth& growth);
 
-// How stiff and how sluggish the joints are that nobody moves.
+// The stiffness and damping of passive joints.
 
 // Sets stiffness, damping, dry friction and armature of a body that has its sizes and masses. Stiffness and friction go
 // with the moment of the weight that a joint carries, so that what hangs at rest hangs alike; stiffness also with the

@@ -75,7 +75,7 @@ class Parts {
  public:
   explicit Parts(Skeleton& skeleton) : skeleton_(&skeleton) {}
 
-  // Throw Status::kUnsupported where there is none: the body is none of ours.
+  // Throw Status::kUnsupported where there is none: it is not a built-in body.
   Bone& bone(std::string_view name) const;
   Geom& geom(std::string_view name) const;
   Joint& joint(std::string_view name) const;
@@ -97,10 +97,10 @@ double total_mass(const Skeleton& skeleton);  // kg
 
 enum class Segment { kTrunk, kHead, kUpperArm, kForearm, kHand, kThigh, kShank, kFoot };
 
-// Throws Status::kUnsupported for a body that is none of ours.
+// Throws Status::kUnsupported for a body that is not built in.
 Segment segment_of(std::string_view bone);
 
-// Of arms and legs, but for hands and feet: bones that are as long as a capsule without its round ends.
+// Arms and legs, except hands and feet: bones that are as long as a capsule without its round ends.
 bool is_limb(Segment segment);
 
 }  // namespace mimo::growth

@@ -28,7 +28,7 @@ bool same_word(std::string_view word, std::string_view keyword) {
                     [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); });
 }
 
-// Words of a text, and where they are. A bracket is a word by itself.
+// Words of a text, and where they are. A bracket is a word of its own.
 class Words {
  public:
   explicit Words(const std::string& path) : path_(path) {

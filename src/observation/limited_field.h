@@ -25,7 +25,7 @@ struct Limits {
   double deviation(double value) const;
 };
 
-// What an infant is like by itself: how late each element of a field comes, in seconds, one number where all come
+// An infant's natural limits: how late each element of a field comes, in seconds, one number where all come
 // together, empty where none is late; and how well it sees, of pictures in colour.
 struct Nature {
   std::vector<double> delays;

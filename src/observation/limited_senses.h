@@ -17,7 +17,7 @@ struct PathLimits {
   bool may_lead_nowhere = false;  // limits nothing where no field has that path
 };
 
-// What an agent is like by itself in a field; nothing in those that are not of its senses.
+// An agent's natural limits in a field; empty for fields of other agents.
 using NatureOf = std::function<Nature(const Field& field)>;
 
 class LimitedSenses {
@@ -69,7 +69,7 @@ class LimitedSenses {
   const Observer& observer_;
   std::vector<LimitedField> fields_;
   std::vector<Member> members_;
-  std::vector<std::uint8_t> room_;  // where nobody gives a block; empty where nothing is late
+  std::vector<std::uint8_t> room_;  // used if the caller gives no block; empty if no field is delayed
 };
 
 }  // namespace mimo::observation

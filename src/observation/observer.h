@@ -38,7 +38,7 @@ class Observer {
  public:
   // Both throw where a field of that name is there already. The sense outlives the observer.
   void add(Sense& sense);
-  // One that belongs to nobody else.
+  // A process that no sense owns.
   void add(std::unique_ptr<Sense> sense);
 
   const Layout& layout() const { return layout_; }
@@ -46,9 +46,9 @@ class Observer {
   std::size_t senses() const { return senses_.size(); }
   const Sense& sense(std::size_t i) const { return *senses_[i]; }
 
-  // Fills the fields of one sense, and adds what it took to `times`; null: nobody wants to know.
+  // Fills the fields of one sense, and adds the time to `times`, unless that is null.
   void write(std::size_t sense, const mjModel& model, const mjData& data, std::uint8_t* block, ShareTimes* times) const;
-  // An episode starts, and a tick is over, for all that goes on by itself in senses.
+  // An episode starts, and a tick is over, for all processes of senses.
   void begin(const mjModel& model, const mjData& data) const;
   void advance(const mjModel& model, const mjData& data, ShareTimes* times) const;
   // What that remembers, for a state. This object outlives it.

@@ -17,7 +17,7 @@ typedef struct mjData_ mjData;
 
 namespace mimo::observation {
 
-// What of a sense goes on by itself between looks: receptors that adapt, skin that cools. It goes on with every physics
+// What a sense does between observations: receptors that adapt, skin that cools. It goes on with every physics
 // step, whether anybody looks or not, so that what is sensed depends on neither.
 class Process {
  public:
@@ -80,7 +80,7 @@ class Sense {
   // Fills its fields of the block from the current data, and from what has become of its processes.
   virtual void write(const mjModel& model, const mjData& data, std::uint8_t* block) = 0;
 
-  // What of it goes on by itself.
+  // Its processes between observations.
   void keep(std::unique_ptr<Process> process) { processes_.push_back(std::move(process)); }
   const std::vector<std::unique_ptr<Process>>& processes() const { return processes_; }
 

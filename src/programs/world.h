@@ -73,7 +73,7 @@ void add_face_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
 void add_seconds_option(CLI::App& command, double& seconds);  // how long a world moves
 
-enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: what the scene gives its infants by itself
+enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: the scene's defaults
 
 // The config of an infant that senses as the options say.
 mimo_agent_config sensing_agent(const WorldOptions& options);

@@ -33,7 +33,7 @@ std::optional<Library>& place() {
 std::atomic<bool> failed{false};
 
 // Damaged files leave something in HDF5 that it cannot close when the process ends, about which it would complain on
-// the host's error stream. It is quiet then, where a call of ours has failed.
+// the host's error stream. It is quiet when a call of the library fails.
 void be_quiet_at_the_end() {
   if (failed) library().SetErrorPrinter(0, nullptr, nullptr);
 }

@@ -1,4 +1,5 @@
-// Where a recording is written: nobody else's file is touched, and nothing half made stands under the recording's name.
+// Where a recording is written: no other program's file is touched, and the recording's name never shows an incomplete
+// file.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ class Place {
   // Before it is made, as HDF5 can neither go on nor be rid of a new file for which there is no room.
   void require_room(std::size_t content) const;
   void made() { made_ = true; }
-  // The file is whole enough to be read by others: it gets its name. Nobody else may write it from now on.
+  // Other programs can read the file now: it gets its name. No other writer may open it from now on.
   void settle(int file);
   // Throws where somebody did nevertheless, or has taken its name away, since written() was called.
   void require_untouched(int file) const;

@@ -246,7 +246,7 @@ void Recorder::step_ends(env::World& world, Span<const float> actions, const std
     complains = !trouble_.empty() && !told_;
     told_ = told_ || complains;
   }
-  if (complains) complain(world);  // alone no more: whoever is told may call flush()
+  if (complains) complain(world);  // without the lock: the callback may call flush()
 }
 
 void Recorder::write(const env::World& world, Span<const float> actions, const std::uint8_t* block) {

@@ -38,7 +38,8 @@ bool has_elevated_rights() { return false; }
 
 bool environment_has(const std::string&) { return false; }
 
-// HDF5 may be of another C library there, whose files are not ours: what it has open, nobody else can remove.
+// HDF5 may be of another C library there, whose files are separate: no other program can remove a file that it has
+// open.
 void write_to_nowhere(int) {}
 
 Claim::Claim(const std::string& path) {

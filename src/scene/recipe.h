@@ -35,7 +35,7 @@ class Recipe {
   bool muscles() const;
   // Bodies that it is made for, the usual one first; none if it does for all.
   std::vector<std::string> bodies() const;
-  // Puts its content into the document that holds the infant, but for what concerns parts that the infant does not
+  // Puts its content into the document that holds the infant, except what concerns parts that the infant does not
   // have: one recipe does for several bodies. With `keep_root` the infant stays where it was put.
   void apply(pugi::xml_node root, const std::string& prefix, bool keep_root);
 
@@ -52,7 +52,7 @@ std::vector<std::string> custom_words(pugi::xml_node root, const std::string& na
 void keep_motors(pugi::xml_node root, const std::string& prefix, unsigned groups,
                  const std::vector<std::string>& still = {});
 
-// Where an infant is put whom nobody has given a place, and what is said of one whose place is taken.
+// Where an infant without a given place is put, and the warning about an infant whose place is taken.
 
 // Everything where the model starts.
 engine::Physics at_start(const engine::ModelPtr& model);

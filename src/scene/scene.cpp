@@ -413,7 +413,7 @@ pugi::xml_document Scene::finished() const {
     document::put_stateful_last(root);
     document::fit_user_numbers(root);
   }
-  // Keyframes are positions of all joints that the document had by itself.
+  // Keyframes are positions of all joints that the document itself had.
   while (bodies_ + objects_ > 0 && root.child("keyframe")) pugi::xml_node(root).remove_child("keyframe");
   document::settle(root);
   for (const auto& [prefix, growth] : grown_) scene::grow(root, prefix, growth);

@@ -92,7 +92,7 @@ class Scene {
   std::vector<std::string> infants() const;
   // The built-in scene that it started from; empty for others.
   const std::string& built_in() const { return built_in_; }
-  // What it gives its next infant by itself.
+  // The defaults of its next infant.
   UsualInfant usual_infant() const;
   // The room's place for it; the origin in a room that names none, near which it is put. Nothing where all places are
   // taken.
@@ -110,7 +110,7 @@ class Scene {
   // Bodies below and including the infant's root, by their names without the prefix.
   std::vector<std::string> body_names(const std::string& prefix) const;
 
-  // Tells of infants, but for those where a built-in scene has put them, that start inside of something.
+  // Warns about infants that start inside of something, except where a built-in scene has put them.
   void check_places(const engine::ModelPtr& model, const LogSink& log) const;
 
   // The document for people and other tools; built-in files keep their names, "mimo/textures/floor.png". Both throw
@@ -132,7 +132,7 @@ class Scene {
   LogSink log_;
   Document document_;
   std::string built_in_;                         // name of the built-in scene that it started from; empty for others
-  std::optional<std::string> unplaced_;          // prefix of the infant for whom nobody named a place
+  std::optional<std::string> unplaced_;          // prefix of the infant without a given place
   std::map<std::string, growth::Growth> grown_;  // by prefix: what of another age is to be made of infants
   std::map<std::string, document::Place> anchored_;  // by prefix: infants whose roots follow from where their soles are
   std::vector<std::string> to_check_;                // prefixes of infants whose places may be taken

@@ -50,7 +50,7 @@ bool Vocal::silent() const {
   return amplitude_ == 0 && std::all_of(memory_.begin(), memory_.end(), [](double value) { return value == 0; });
 }
 
-// Who is silent shapes the mouth before it sounds.
+// The articulators move to their targets before phonation starts.
 void Vocal::move(const Utterance& told) {
   if (silent()) now_ = {0, told.pitch, told.opening, told.front};
   now_.loudness += approach_ * (told.loudness - now_.loudness);

@@ -50,7 +50,7 @@ struct Step {
   std::uint64_t number = 0;        // since the reset, with this one
   double effort = 0;               // what its commands cost (actuation::Actuation::effort)
   Span<const float> actions;       // the infant's, within their bounds; empty: the step had none
-  Span<const std::uint8_t> block;  // all that was sensed, of tasks that judge it; empty: nobody asked for it
+  Span<const std::uint8_t> block;  // the observation, for tasks that judge it; empty: not requested
 };
 
 // Whether a step was a success or a failure.
@@ -60,7 +60,7 @@ enum class Outcome : std::int32_t {
   kFailure = MIMO_OUTCOME_FAILURE,
 };
 
-// How an episode opens, in physics steps: some in which nobody does anything, then some in which the infant does
+// How an episode opens, in physics steps: some without control, then some in which the infant does
 // anything within its bounds, drawn anew for each of them.
 struct Opening {
   int still = 0;
@@ -71,7 +71,7 @@ class Task {
  public:
   virtual ~Task() = default;
 
-  // The world is at its start, at rest; whoever calls computes everything anew afterwards.
+  // The world is at its start, at rest; the caller computes everything again afterwards.
   virtual void reset(engine::Physics&, Random&) {}
   // What comes then; whatever the infant acts with, and without reflexes. Motors keep their last commands.
   virtual Opening opening() const { return {}; }

@@ -24,7 +24,7 @@ struct HearingSetting {
 std::unique_ptr<observation::Sense> make_hearing(const mjModel& model, const body::Body& body,
                                                  const HearingOptions& options, const HearingSetting& setting);
 
-// Where an infant's mouth is and whereto it speaks; throws Status::kUnsupported for what has none.
+// Where an infant's mouth is and in which direction it speaks; throws Status::kUnsupported for a body without a mouth.
 Mouth mouth_of(const mjModel& model, const body::Body& body);
 
 }  // namespace mimo::senses

@@ -13,7 +13,7 @@ struct HearingOptions {
   std::uint32_t wanted = 0;  // MIMO_HEARING_ bits
 };
 
-// From where and whereto a body plays, in its frame.
+// From where and in which direction a body plays, in its frame.
 struct Direction {
   std::string body;
   Eigen::Vector3d place, axis;

@@ -142,7 +142,7 @@ void Afferents::take_in(const Felt& felt) {
   }
 }
 
-// What slides is told of as it presses in the mean.
+// Sliding contacts count with their mean pressure.
 void Afferents::steady(const Felt& felt) {
   std::copy_n(table_[kNormal], table_.size(), table_[kTold]);
   rattle_.advance(felt, [this](std::size_t sensor) { return table_.number(kNormal, sensor); });

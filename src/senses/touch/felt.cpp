@@ -52,7 +52,7 @@ Span<const Share> Spread::at(int body, int geom, const Vec3& point) {
   shares_.clear();
   if (anchor < 0) return shares_;  // so far away that distances are no numbers: the world is about to fail
   collect(anchor, point, kReach * spacing);
-  // Nobody within reach: nothing of the force may be lost.
+  // No sensor within reach: the whole force must still be felt.
   if (shares_.empty() || !weigh(spacing)) shares_.assign(1, {skin_.nearest_of_body(body, point), 1});
   return shares_;
 }

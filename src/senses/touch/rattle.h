@@ -114,7 +114,7 @@ class Rattle : public observation::Process {
       take(static_cast<std::size_t>(table_.sensors()[i]), table_[kTold][i]);
     }
   }
-  // Whether a sensor is told of another force than it feels.
+  // Whether a sensor reports another force than it feels.
   bool doubts(std::size_t sensor) const { return table_.number(kDoubt, sensor) > 0; }
   // Calls take(sensor, pressure) for those of them that something pricks, by Hertz with the force they are told of, Pa.
   template <typename Take>

@@ -45,7 +45,7 @@ void check_names(const mjModel& model, const body::Body& body, const TouchOption
   }
 }
 
-// The spacing that a body has if nobody says otherwise: what the model's document says in the tuple "mimo:touch", where
+// The default spacing of a body: what the model's document says in the tuple "mimo:touch", where
 // bodies that are not named have no skin; else the infant's own.
 class UsualSpacing {
  public:

@@ -20,7 +20,7 @@ namespace mimo::senses {
 // Of the header.
 enum class TouchFrame : std::int32_t { kBody = MIMO_FRAME_BODY, kWorld = MIMO_FRAME_WORLD, kSkin = MIMO_FRAME_SKIN };
 
-// Of MIMO_TOUCH_, what the nerves of the skin tell, each sensor by itself; in Hz, and in degrees Celsius.
+// The bits of MIMO_TOUCH_ for the skin's nerves, one value for each sensor, in Hz, and in degrees Celsius.
 constexpr std::uint32_t kTouchNerves = MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2;
 constexpr std::uint32_t kWarmthNerves = MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM;
 constexpr std::uint32_t kPainNerves = MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
