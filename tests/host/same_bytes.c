@@ -113,7 +113,7 @@ static void compare(const mimo_env* env, const uint8_t* expected, const uint8_t*
 static void check_layouts(const mimo_env* env, const mimo_senses* senses) {
   const mimo_layout *worlds = layout_of(env), *own = NULL;
   const mimo_layout_info sizes = sizes_of(env);
-  mimo_layout_info own_sizes = {sizeof own_sizes, 0, 0, 0, 0, 0, 0};
+  mimo_layout_info own_sizes = {.struct_size = sizeof own_sizes};
   size_t i;
   CHECK_OK(mimo_senses_layout(senses, &own));
   CHECK_OK(mimo_layout_describe(own, &own_sizes));

@@ -9,6 +9,7 @@
 namespace mimo::test {
 namespace {
 
+using blueprint::AgingWorld;
 using blueprint::WorldsByAge;
 
 growth::Growth aged(double months) {
@@ -71,15 +72,6 @@ TEST(WorldsByAge, OfAWorldCompilesTheSameModelAsTheBlueprint) {
   env::World made(theirs->model, theirs->agents, theirs->options, theirs->services);
   EXPECT_EQ(step(grown, 1), step(made, 1));
   EXPECT_EQ(saved(grown), saved(made));
-}
-
-using blueprint::AgingWorld;
-using blueprint::WorldsByAge;
-
-growth::Growth aged(double months) {
-  growth::Growth growth;
-  growth.age = growth.physiological_age = months;
-  return growth;
 }
 
 AgingWorld aging_world() {
