@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "base/format.h"
@@ -10,12 +9,11 @@
 #include "capi/configs.h"
 #include "capi/handed.h"
 #include "capi/objects.h"
+#include "capi/read_json.h"
 #include "capi/use.h"
 
 namespace mimo::capi {
 namespace {
-
-using ReadJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostCalls = 10000;
 
@@ -25,26 +23,17 @@ void check(mimo_status status) {
 
 [[noreturn]] void fail_damaged(const std::string& what) { fail(Status::kFile, "'world' of the recording: {}", what); }
 
-template <typename T>
-bool fits(const ReadJson& json) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return json.is_number();
-  } else {
-    return json.is_number_integer() && json == ReadJson(json.get<T>());
-  }
-}
-
 // The arguments of one call. Texts live as long as this.
 class Arguments {
  public:
   explicit Arguments(const ReadJson& call) : call_(call) {}
 
   const ReadJson& at(const char* name) const {
-    const auto found = call_.find(name);
-    if (found == call_.end()) fail_damaged(format("{} lacks \"{}\"", call_.dump().substr(0, 100), name));
+    const ReadJson* const found = call_.find(name);
+    if (found == nullptr) fail_damaged(format("a call with {} arguments lacks \"{}\"", call_.parts.size(), name));
     return *found;
   }
-  bool is_null(const char* name) const { return at(name).is_null(); }
+  bool is_null(const char* name) const { return at(name).is(ReadJson::Kind::kNull); }
   template <typename T>
   T number(const char* name) const {
     return number_of<T>(at(name), name);
@@ -53,44 +42,45 @@ class Arguments {
   const char* text(const char* name) { return is_null(name) ? nullptr : text_of(at(name), name); }
   std::vector<const char*> texts(const ReadJson& list, const char* name) {
     std::vector<const char*> all;
-    for (const ReadJson& one : list_of(list, name)) all.push_back(text_of(one, name));
+    for (const ReadJson& one : list_of(list, name).parts) all.push_back(text_of(one, name));
     return all;
   }
   template <typename T>
   std::vector<T> numbers(const ReadJson& list, const char* name) const {
     std::vector<T> all;
-    for (const ReadJson& one : list_of(list, name)) all.push_back(number_of<T>(one, name));
+    for (const ReadJson& one : list_of(list, name).parts) all.push_back(number_of<T>(one, name));
     return all;
   }
   // What is not said stays as it is.
   template <typename Struct>
   void read(const char* name, Struct& all) {
     const ReadJson& json = at(name);
-    if (!json.is_object()) fail_damaged(format("\"{}\" is no object", name));
+    if (!json.is(ReadJson::Kind::kObject)) fail_damaged(format("\"{}\" is no object", name));
     std::size_t known = 0;
     for_each_member(all, [&](const char* member, auto& value) {
-      const auto found = json.find(member);
-      if (found == json.end()) return;
+      const ReadJson* const found = json.find(member);
+      if (found == nullptr) return;
       ++known;
       take(*found, member, value);
     });
-    if (known == json.size()) return;
+    if (known == json.parts.size()) return;
     fail(Status::kUnsupported, "the recording was made by a newer library: \"{}\" has members that are not known here",
          name);
   }
   const char* text_of(const ReadJson& json, const char* name) {
-    if (!json.is_string()) fail_damaged(format("\"{}\" is no text", name));
-    return texts_.emplace_back(json.get<std::string>()).c_str();
+    if (!json.is(ReadJson::Kind::kText)) fail_damaged(format("\"{}\" is no text", name));
+    return texts_.emplace_back(json.text).c_str();
   }
 
  private:
   template <typename T>
   static T number_of(const ReadJson& json, const char* name) {
-    if (!fits<T>(json)) fail_damaged(format("\"{}\" is no number that it can be", name));
-    return json.get<T>();
+    const std::optional<T> number = json.number<T>();
+    if (!number) fail_damaged(format("\"{}\" is no number that it can be", name));
+    return *number;
   }
   static const ReadJson& list_of(const ReadJson& json, const char* name) {
-    if (!json.is_array()) fail_damaged(format("\"{}\" is no list", name));
+    if (!json.is(ReadJson::Kind::kList)) fail_damaged(format("\"{}\" is no list", name));
     return json;
   }
   template <typename T>
@@ -262,7 +252,7 @@ class RecordedScene {
     task.term_count = terms.size();
     std::vector<mimo_task_field> fields;
     std::deque<std::vector<std::size_t>> shapes;
-    for (const ReadJson& one : said.at("fields")) {
+    for (const ReadJson& one : said.at("fields").parts) {
       Arguments field(one);
       mimo_task_field& ours = fields.emplace_back();
       check(mimo_task_field_init(&ours, sizeof ours));
@@ -317,7 +307,7 @@ const std::pair<const char*, RecordedScene::Make> RecordedScene::kCalls[] = {
 };
 
 void RecordedScene::call(const ReadJson& call) {
-  if (!call.is_object()) fail_damaged("a call is no object");
+  if (!call.is(ReadJson::Kind::kObject)) fail_damaged("a call is no object");
   Arguments given(call);
   const std::string name = given.text_of(given.at("call"), "call");
   for (const auto& [known, make] : kCalls) {
@@ -326,11 +316,11 @@ void RecordedScene::call(const ReadJson& call) {
   fail(Status::kUnsupported, "the recording was made by a newer library: \"{}\" is not known here", name);
 }
 
-ReadJson calls_of(const recording::Recording& recording) {
-  ReadJson calls = ReadJson::parse(recording.world(), nullptr, false);
-  if (!calls.is_array()) fail_damaged("it is no list");
-  if (calls.size() > kMostCalls) fail_damaged(format("it has {} calls", calls.size()));
-  return calls;
+std::vector<ReadJson> calls_of(const recording::Recording& recording) {
+  std::optional<ReadJson> calls = read_json(recording.world());
+  if (!calls || !calls->is(ReadJson::Kind::kList)) fail_damaged("it is no list");
+  if (calls->parts.size() > kMostCalls) fail_damaged(format("it has {} calls", calls->parts.size()));
+  return std::move(calls->parts);
 }
 
 // What a caller may choose of it.

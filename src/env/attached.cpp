@@ -8,8 +8,8 @@
 #include "engine/model.h"
 #include "env/perception.h"
 #include "env/surroundings.h"
-#include "senses/hearing/soundscape.h"
 #include "senses/fusimotor_drives.h"
+#include "senses/hearing/soundscape.h"
 
 namespace mimo::env {
 

@@ -12,8 +12,8 @@
 #include "env/perception.h"
 #include "env/reflexes.h"
 #include "env/surroundings.h"
-#include "senses/hearing/soundscape.h"
 #include "senses/fusimotor_drives.h"
+#include "senses/hearing/soundscape.h"
 #include "sound/vocal.h"
 
 namespace mimo::env {
