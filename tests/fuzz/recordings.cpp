@@ -42,7 +42,7 @@ constexpr const char* kDatasets[] = {"time",
                                      "terms",
                                      "world",
                                      "scene/document",
-                                     "scene/assets/assets/floor.png",
+                                     "scene/assets/floor.png",
                                      "fields/vestibular/acceleration"};
 constexpr const char* kNumbers[] = {"H5T_NATIVE_INT8_g",   "H5T_NATIVE_UINT8_g",  "H5T_NATIVE_INT32_g",
                                     "H5T_NATIVE_INT64_g",  "H5T_STD_I64BE_g",     "H5T_NATIVE_FLOAT_g",
