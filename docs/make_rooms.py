@@ -16,6 +16,7 @@ PAGE = ROOT / "docs/architecture.md"
 CALL = re.compile(r"mimo_room\(\s*(\w+)\s+(OUTSIDE\s+)?ABOUT\s+\"([^\"]*)\"([^)]*)\)")
 CALLERS_OF_MUJOCO = ("compat", "solver", "engine", "render", "rays", "opengl", "geometry")
 NAMES_STAND_IN = ("src", "include", "interface/targets")
+SUFFIXES = (".h", ".cpp", ".hpp", ".py", ".txt")
 MUJOCO_CALL = re.compile(r"\bmj[uvr]?_\w+\s*\(")
 INCLUDE = re.compile(r'^\s*#\s*include "((\w+)/[^"]+)"', re.MULTILINE)
 
@@ -114,13 +115,17 @@ def forbidden_calls():
                 yield f"{path.relative_to(ROOT)}:{number} calls MuJoCo, which only {', '.join(CALLERS_OF_MUJOCO)} may"
 
 
+def is_path(quoted):
+    return quoted.startswith(tuple(f"{folder}/" for folder in NAMES_STAND_IN))
+
+
 def lost_names(text):
-    """Names of C++ on the page, and paths of the table "Where something new goes", that the tree does not have."""
+    """Names of C++ and paths on the page that the tree does not have."""
     table = text.split("## Where something new goes", 1)[1].split("\n## ", 1)[0]
     folders = [ROOT / folder for folder in NAMES_STAND_IN]
-    code = "\n".join(p.read_text() for f in folders for p in f.rglob("*") if p.suffix in (".h", ".cpp", ".py", ".hpp"))
+    code = "\n".join(p.read_text() for f in folders for p in f.rglob("*") if p.suffix in SUFFIXES)
     known = set(re.findall(r"\w+", code))
-    elsewhere = [quoted for quoted in re.findall(r"`([^`\n]+)`", text) if "::" in quoted]
+    elsewhere = [quoted for quoted in re.findall(r"`([^`\n]+)`", text) if "::" in quoted or is_path(quoted)]
     for quoted in sorted({*re.findall(r"`([^`]+)`", table), *elsewhere}):
         if "/" in quoted and " " not in quoted:
             if not (ROOT / quoted).exists():

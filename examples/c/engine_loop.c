@@ -29,7 +29,7 @@ int main(void) {
   const mimo_layout* layout;
   mimo_layout_info sizes = {.struct_size = sizeof sizes};
   size_t shapes, touched = 0, touch;
-  double step, lived = 0;
+  double lived = 0;
   mimo_field field = {.struct_size = sizeof field};
 
   /* Once, while your game loads: a world, memory for what the infant senses, and the number of shapes to draw. */
@@ -42,15 +42,11 @@ int main(void) {
   unsigned char* block = malloc(sizes.block_bytes);
   float* action = malloc(sizes.actions * sizeof *action);
   float* poses = malloc(shapes * 7 * sizeof *poses);
-  uint32_t frame_skip;
   if (block == NULL || action == NULL || poses == NULL) return 1;
-  check(mimo_env_timestep(env, &step));
-  check(mimo_env_frame_skip(env, &frame_skip));
-  step *= frame_skip;
   check(mimo_env_reset(env, NULL, block, sizes.block_bytes));
 
   for (int frame = 1; frame <= 120; ++frame) { /* your loop: two seconds of it */
-    for (; lived + step <= frame / 60.0 + 1e-9; lived += step) {
+    for (; lived + sizes.step_seconds <= frame / 60.0 + 1e-9; lived += sizes.step_seconds) {
       think(lived, action, sizes.actions);
       check(mimo_env_step(env, action, sizes.actions, block, sizes.block_bytes, NULL));
     }

@@ -166,14 +166,14 @@ def test_the_guide_s_numbers_of_hearing():
     page.tested("15 cm to 1 m away | within {} dB; from the side at 25 cm and 250 Hz {} dB", ears)
     page.tested("hardwood on hardwood at {} m/s and {} N gives {} dB", "unit/sound/scrape_test.cpp")
     page.tested("gives {} dB (sound exposure level", "unit/sound/strike_test.cpp")
-    voices = "unit/growth/voice_test.cpp"
+    voices = "unit/growth/maturity_test.cpp"
     page.tested("around the pitch of its age: {} Hz at 3 months, {} at 6, {} from 9 on", voices)
     page.tested("of {} cm at birth and {} at 24 months: {}, {}, {} and {}, {}, {} Hz", voices)
 
 
 def test_thresholds_of_hearing():
     claim = "at 500 Hz {} dB for a newborn, {} at 3, {} at 6 and {} at 12 months, {} for adults"
-    Page("guide/hearing.md").tested(claim, "unit/growth/hearing_test.cpp")
+    Page("guide/hearing.md").tested(claim, "unit/growth/maturity_test.cpp")
 
 
 def test_sound_in_steps():
