@@ -421,6 +421,8 @@ constexpr Quantity kTable[] = {
 
 static_assert(are_rows_of(kTable, header::kQuantities), "a quantity's row is missing, doubled or not in its place");
 
+#ifndef __SANITIZE_ADDRESS__  // there GCC does not know when it compiles that a function's address is not null
+
 // Which is how many numbers, and of what, to see it from another frame.
 constexpr int width_in(Spatial space) {
   switch (space) {
@@ -444,6 +446,8 @@ constexpr bool rows_are_whole() {
   return true;
 }
 static_assert(rows_are_whole(), "a quantity has no width, no reader or writer, or two of them");
+
+#endif
 
 }  // namespace
 

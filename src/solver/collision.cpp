@@ -270,6 +270,13 @@ void collide_pair(const mjModel& model, mjData& data, int pair) {
 #endif
 
 namespace mimo::solver {
+
+#if MIMO_MUJOCO_4
+
+void collide(const mjModel& model, mjData& data) { mj_collision(&model, &data); }
+
+#else
+
 namespace {
 
 using Mark = unsigned char;
@@ -428,12 +435,6 @@ bool has_usual_rules(const mjModel& model) {
 }
 
 }  // namespace
-
-#if MIMO_MUJOCO_4
-
-void collide(const mjModel& model, mjData& data) { mj_collision(&model, &data); }
-
-#else
 
 void collide(const mjModel& model, mjData& data) {
   data.ncon = 0;

@@ -8,6 +8,13 @@
 #include "solver/constraints.h"
 
 namespace mimo::solver {
+
+#if MIMO_MUJOCO_4
+
+void integrate(const mjModel& model, mjData& data) { mj_Euler(&model, &data); }
+
+#else
+
 namespace {
 
 // In the order of mju_dot.
@@ -125,6 +132,31 @@ void damp(const mjModel& model, mjData& data, double* accelerations) {
   mju_add(accelerations, data.qfrc_smooth, data.qfrc_constraint, model.nv);
   solve(model, data.qH, data.qHDiagInv, accelerations);
 }
+
+}  // namespace
+
+void update_inertia(const mjModel& model, mjData& data) {
+  sum_inertias(model, data);
+  fill_matrix(model, data);
+  std::copy_n(data.qM, model.nM, data.qLD);
+  factorize(model, data, data.qLD, data.qLDiagInv);
+}
+
+void integrate(const mjModel& model, mjData& data) {
+  const compat::StackMark stack = compat::mark_stack(data);
+  double* accelerations = take<double>(data, model.nv);
+  if (is_damped(model)) {
+    damp(model, data, accelerations);
+  } else {
+    std::copy_n(data.qacc, model.nv, accelerations);
+  }
+  advance(model, data, accelerations);
+  compat::release_stack(data, stack);
+}
+
+#endif
+
+namespace {
 
 constexpr int kMostRows = 6;  // of a contact
 constexpr int kLanes = 4;
@@ -358,33 +390,6 @@ void go_halfway(const Hessian& hessian, const mjData& data, const Blocks& blocks
 }
 
 }  // namespace
-
-#if MIMO_MUJOCO_4
-
-void integrate(const mjModel& model, mjData& data) { mj_Euler(&model, &data); }
-
-#else
-
-void update_inertia(const mjModel& model, mjData& data) {
-  sum_inertias(model, data);
-  fill_matrix(model, data);
-  std::copy_n(data.qM, model.nM, data.qLD);
-  factorize(model, data, data.qLD, data.qLDiagInv);
-}
-
-void integrate(const mjModel& model, mjData& data) {
-  const compat::StackMark stack = compat::mark_stack(data);
-  double* accelerations = take<double>(data, model.nv);
-  if (is_damped(model)) {
-    damp(model, data, accelerations);
-  } else {
-    std::copy_n(data.qacc, model.nv, accelerations);
-  }
-  advance(model, data, accelerations);
-  compat::release_stack(data, stack);
-}
-
-#endif
 
 Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   const int size = model.nv;
