@@ -31,6 +31,8 @@ DataPtr made(const mjModel& model) {
   return owned;
 }
 
+#if !MIMO_MUJOCO_4
+
 constexpr bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
   for (const std::string_view one : names) {
     if (name == one) return true;
@@ -100,6 +102,8 @@ void require_countable(const mjModel& model) {
        "no memory for {} constraints (njmax) of {} degrees of freedom: there is room for {} at most", model.njmax,
        model.nv, INT_MAX / model.nv);
 }
+
+#endif
 
 // MuJoCo puts all arrays of a struct into one buffer, in the order of its fields. Where that is not what one finds, the
 // bytes are no such struct, or one of other sizes.
