@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,5 +88,23 @@ inline void check_finite(const double* values, std::size_t count, const char* ar
 // "there are: a, b", and before that which of them may have been meant: a name that begins otherwise ("left_elbow" for
 // "robot:left_elbow"), or a letter or two apart.
 std::string choice_of(const std::string& wanted, std::vector<std::string> names);
+
+// Where no exception may pass.
+
+// Calls work(), and failed(status, text) with what it throws.
+template <typename Work, typename Failed>
+void caught(Work&& work, Failed&& failed) noexcept {
+  try {
+    work();
+  } catch (const Error& error) {
+    failed(error.status(), error.what());
+  } catch (const std::bad_alloc&) {
+    failed(Status::kOutOfMemory, "out of memory");
+  } catch (const std::exception& error) {
+    failed(Status::kInternal, error.what());
+  } catch (...) {
+    failed(Status::kInternal, "an unknown exception");
+  }
+}
 
 }  // namespace mimo

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "base/caught.h"
 #include "base/fail.h"
 #include "base/format.h"
 

@@ -140,7 +140,7 @@ mimo_maturity maturity_of(double age) {
 }
 
 double within(double value, double low, double high, const char* name, const char* unit) {
-  require(value >= low && value <= high, "{} is {}, expected {} to {}{}", name, value, low, high, unit);  // or NaN
+  require_between(value, low, high, name, unit);
   return value;
 }
 
@@ -175,9 +175,6 @@ growth::Conduction nerves_from(const mimo_maturity& config) {
 }
 
 }  // namespace
-
-// Eyes and nerves as old as the infant.
-
 }  // namespace mimo::capi
 
 using namespace mimo;
@@ -213,7 +210,7 @@ mimo_status mimo_scene_set_maturity(mimo_scene* scene, size_t agent, const mimo_
 mimo_status mimo_scene_set_sensory_delay(mimo_scene* scene, size_t agent, const char* body, double seconds) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
-    within(seconds, 0, kMostDelay, "seconds", "");
+    require_between(seconds, 0.0, kMostDelay, "seconds");
     blueprint.edit([&](blueprint::SceneEdit& edit) {
       note(edit, {{"call", "set_sensory_delay"}, {"agent", agent}, {"body", body}, {"seconds", seconds}});
       if (body == nullptr) return edit.agents.set_sensory_delay(agent, seconds);

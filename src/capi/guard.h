@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "base/caught.h"
+#include "base/fail.h"
 #include "base/processor.h"
 #include "mimo/experimental.h"
 

@@ -172,6 +172,4 @@ double contact_pressure(double force, double radius) {
   return force / (kPi * patch * patch);
 }
 
-double withdrawal_force(double months) { return 0.0118 * std::pow(45.1 / 11.8, std::clamp(months, 0.0, 12.0) / 12); }
-
 }  // namespace mimo::receptors

@@ -183,8 +183,4 @@ constexpr double kFastAdapts = 1;                  // s
 // Speeds of their nerves, m/s: adults', the fast ones' share of what large fibres conduct at.
 constexpr double kFastShare = 13.0 / 56, kSlowSpeed = 0.8;
 
-// The force on foot or leg above which an infant withdraws it, N, by its age in months: 11.8 mN three days old, 45.1 mN
-// at a year (Kuhne et al. 2012), geometric between and constant after.
-double withdrawal_force(double months);
-
 }  // namespace mimo::receptors

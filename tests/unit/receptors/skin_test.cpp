@@ -203,13 +203,5 @@ TEST(Nociceptors, FireForHeatAndCold) {
   EXPECT_GT(touched_temperature<double>(touching(33, 60, 37048), 5), 43);
 }
 
-// Kuhne et al. 2012: 11.8 mN at birth, 45.1 at a year.
-TEST(Nociceptors, WithdrawalByAge) {
-  const double known[][2] = {{0, 11.8}, {3, 16.5}, {6, 23.1}, {12, 45.1}, {24, 45.1}};
-  for (const auto& [months, millinewton] : known) {
-    EXPECT_NEAR(withdrawal_force(months) * 1e3, millinewton, 0.05) << months;
-  }
-}
-
 }  // namespace
 }  // namespace mimo::receptors

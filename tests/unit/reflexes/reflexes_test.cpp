@@ -81,6 +81,10 @@ TEST(Reflexes, ThresholdOfWithdrawalRisesWithAge) {
   EXPECT_NEAR(withdrawal_force(6), 0.0231, 1e-4);
   EXPECT_NEAR(withdrawal_force(12), 4.6e-3 * 9.81, 1e-4);
   EXPECT_EQ(withdrawal_force(24), withdrawal_force(12));
+  const double known[][2] = {{0, 11.8}, {3, 16.5}, {6, 23.1}, {12, 45.1}, {24, 45.1}};
+  for (const auto& [months, millinewton] : known) {
+    EXPECT_NEAR(withdrawal_force(months) * 1e3, millinewton, 0.05) << months;
+  }
 }
 
 // Cornelissen et al. 2013: both legs alike in newborns.
