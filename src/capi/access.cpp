@@ -200,9 +200,6 @@ access::FieldOptions options_from(const mimo_field_config& config) {
 }
 
 }  // namespace
-
-// Fields of the observation on request.
-
 }  // namespace mimo::capi
 
 using namespace mimo;

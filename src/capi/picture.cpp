@@ -1,4 +1,4 @@
-// Cameras whose pictures are observed.
+// Cameras whose pictures are observed, and pictures for people.
 
 #include <algorithm>
 #include <cmath>
@@ -166,8 +166,6 @@ render::Picture picture_for(const mimo_picture_config& config, const mimo_pictur
 }
 
 }  // namespace
-
-// Pictures for people.
 
 }  // namespace mimo::capi
 

@@ -105,11 +105,11 @@ bool are_apart(const mjModel& model, const mjData& data, int geom, int other, do
          pair.parted_by_side(second) || pair.parted_between();
 }
 
-}  // namespace mimo::solver
+#if MIMO_MUJOCO_4
 
-#if !MIMO_MUJOCO_4
+void collide(const mjModel& model, mjData& data) { mj_collision(&model, &data); }
 
-namespace mimo::solver {
+#else
 namespace {
 
 // How two shapes touch, where they do.
@@ -264,18 +264,6 @@ void collide_pair(const mjModel& model, mjData& data, int pair) {
     std::copy_n(model.pair_solimp + mjNIMP * pair, mjNIMP, rules.solimp.data());
   });
 }
-
-}  // namespace mimo::solver
-
-#endif
-
-namespace mimo::solver {
-
-#if MIMO_MUJOCO_4
-
-void collide(const mjModel& model, mjData& data) { mj_collision(&model, &data); }
-
-#else
 
 namespace {
 

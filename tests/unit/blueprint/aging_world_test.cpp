@@ -1,4 +1,4 @@
-// Kits of all ages, each compiled once.
+// Models of all ages, each compiled once, and worlds whose infants become older or younger.
 
 #include "blueprint/aging_world.h"
 
@@ -130,7 +130,4 @@ TEST(AgingWorld, ACopyPlaysOnAndSharesTheSkin) {
 }
 
 }  // namespace
-
-// Worlds whose infants become older or younger.
-
 }  // namespace mimo::test

@@ -161,6 +161,7 @@ ModelPtr painted(const std::string& size, const std::string& color, int width = 
                          {}, {});
 }
 
+// Models that have the same textures hold them once.
 TEST(Textures, OfTheSamePicturesAreShared) {
   const ModelPtr owner = painted("1", "1 0 0"), model = painted("2", "1 0 0");
   const ModelPtr slim = engine::with_textures_of(owner, model);
@@ -197,9 +198,4 @@ TEST(Textures, OfOtherPicturesStay) {
 }
 
 }  // namespace
-
-// Models that do not compile: MuJoCo's message comes back as an error, and nothing else happens.
-
-// Models that have the same textures hold them once.
-
 }  // namespace mimo::test

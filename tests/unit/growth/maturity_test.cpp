@@ -70,6 +70,7 @@ TEST(Hearing, GetsBetterWithAge) {
   }
 }
 
+// Voices by age: Kent and Murray 1982; a tube of 7.5 to 9.5 cm, 353 m/s.
 TEST(Voices, HaveThePitchOfTheirAge) {
   EXPECT_EQ(vocal_pitch(3), 445);
   EXPECT_EQ(vocal_pitch(6), 450);
@@ -86,11 +87,4 @@ TEST(Voices, HaveTheFormantsOfTheirAge) {
 }
 
 }  // namespace
-
-// How well eyes see at an age.
-
-// What infants hear at an age.
-
-// Voices by age: Kent and Murray 1982; a tube of 7.5 to 9.5 cm, 353 m/s.
-
 }  // namespace mimo::growth

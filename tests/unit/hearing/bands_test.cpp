@@ -1,4 +1,4 @@
-// The spectrum of a stretch of sound, against the transform's definition.
+// The spectrum of a stretch of sound, against the transform's definition; bands and the time between the ears.
 
 #include "hearing/bands.h"
 
@@ -126,7 +126,4 @@ TEST(Bands, DistinguishLeftFromRight) {
 }
 
 }  // namespace
-
-// Bands and the time between the ears.
-
 }  // namespace mimo::hearing

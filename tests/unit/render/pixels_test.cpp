@@ -1,4 +1,4 @@
-// From what OpenGL gives to what a Picture holds.
+// From what OpenGL gives to what a Picture holds, and from there to what callers want.
 
 #include "render/pixels.h"
 
@@ -71,7 +71,4 @@ TEST(Format, WhatIsNotWantedStaysAway) {
 }
 
 }  // namespace
-
-// From how renderers draw to how callers want it.
-
 }  // namespace mimo::render

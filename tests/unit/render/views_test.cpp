@@ -1,4 +1,4 @@
-// Views agree with MuJoCo's own cameras.
+// Views agree with MuJoCo's own cameras; where points appear in a picture.
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -107,7 +107,4 @@ TEST(Projection, FollowsTheCamera) {
 }
 
 }  // namespace
-
-// Where points appear in a picture.
-
 }  // namespace mimo::render::test
