@@ -50,7 +50,24 @@ def _is_writable(member: Any) -> bool:
     return member.fset is not None if isinstance(member, property) else bool(getattr(member, "writable", False))
 
 
-class Reading(np.ndarray):
+class Copied(np.ndarray):
+    """An array whose copies and pickles are ordinary arrays."""
+
+    def copy(self, order: Any = "C") -> Any:
+        """A copy, an ordinary array."""
+        return np.array(self, order=order)
+
+    def __copy__(self) -> Any:
+        return np.array(self)
+
+    def __deepcopy__(self, memo: Any) -> Any:
+        return np.array(self)
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return np.array(self).__reduce_ex__(protocol)
+
+
+class Reading(Copied):
     """A read-only array: an attribute's value is a copy. Arrays computed from it are ordinary.
 
     `joints.position += 0.1` works: it computes a new array and assigns it.
@@ -65,20 +82,6 @@ class Reading(np.ndarray):
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         plain = np.asarray(array)
         return plain if plain.ndim else plain[()]
-
-    # Copies and pickles are ordinary arrays.
-    def copy(self, order: Any = "C") -> Any:
-        """A writable copy."""
-        return np.array(self, order=order)
-
-    def __copy__(self) -> Any:
-        return np.array(self)
-
-    def __deepcopy__(self, memo: Any) -> Any:
-        return np.array(self)
-
-    def __reduce_ex__(self, protocol: Any) -> Any:
-        return np.asarray(self).__reduce_ex__(protocol)
 
 
 for _name in ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow"):  # x += y is x = x + y

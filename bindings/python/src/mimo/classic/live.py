@@ -8,6 +8,7 @@ from typing import Any, Callable, Optional
 import numpy as np
 from numpy.typing import NDArray
 
+from .._strict import Copied
 from ..world import World
 
 Numbers = NDArray[Any]
@@ -78,7 +79,7 @@ class Source:
         return made
 
 
-class Live(np.ndarray):
+class Live(Copied):
     """An array of a world. Assigning to its elements writes to the world, or is refused; copies are ordinary arrays."""
 
     source: Optional[Source]
@@ -159,11 +160,6 @@ class Live(np.ndarray):
             return None
         return function(*_deep(arguments), **{name: _plain(it) for name, it in options.items()})
 
-    # Copies and pickles are ordinary arrays.
-    def copy(self, order: Any = "C") -> Any:
-        """A copy, an ordinary array."""
-        return np.array(self, order=order)
-
     def flatten(self, order: Any = "C") -> Any:
         """A copy as one row."""
         return np.asarray(self).flatten(order)
@@ -171,15 +167,6 @@ class Live(np.ndarray):
     def astype(self, *arguments: Any, **options: Any) -> Any:
         """A copy of another type."""
         return np.array(np.asarray(self).astype(*arguments, **options))
-
-    def __copy__(self) -> Any:
-        return np.array(self)
-
-    def __deepcopy__(self, memo: Any) -> Any:
-        return np.array(self)
-
-    def __reduce_ex__(self, protocol: Any) -> Any:
-        return np.array(self).__reduce_ex__(protocol)
 
 
 def _plain(value: Any) -> Any:
