@@ -4,6 +4,7 @@ import copy
 import pickle
 import struct
 import zlib
+from pathlib import Path
 
 import gymnasium
 import numpy as np
@@ -184,6 +185,15 @@ def painted(tmp_path):
     text = ROOM.replace("<option", assets + "<option").replace('size="0 0 1"', 'size="0 0 1" material="s"')
     (tmp_path / "painted.xml").write_text(text)
     return str(tmp_path / "painted.xml")
+
+
+def test_large_pictures_are_not_read_before_a_script_draws(painted):
+    """A picture that is cut off behind its head harms only an environment that reads it."""
+    picture = Path(painted).parent / "stripes.png"
+    picture.write_bytes(picture.read_bytes()[:100])
+    classic.MIMoEnv(painted).reset(seed=1)
+    with pytest.raises(mimo.ModelError, match=r"stripes\.png"):
+        classic.MIMoEnv(painted, render_mode="rgb_array")
 
 
 def test_large_pictures_are_left_out_until_a_script_draws(painted, room):
