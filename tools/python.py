@@ -48,10 +48,11 @@ def check_editable():
     folder, python = fresh(BUILD / "editable"), environment("python-same", "test") / "python"
     pip = (tool("pip"), "install", "-q", "--no-deps", "--no-build-isolation", "--target", folder)
     run(*pip, "-e", "./bindings/python", env=PIP)
-    code = f"import site; site.addsitedir({str(folder)!r}); from mimo import World, _library; World('free')"
-    taken = output(python, "-c", f"{code}; print(_library.library_path().parent)", cwd=folder)
-    if taken != str(BUILD / "lib"):
-        fail(f"an editable installation takes the library of {taken}")
+    code = f"import site; site.addsitedir({str(folder)!r}); from mimo import World; World('free'); "
+    code += "from mimo._library import library_path; print(library_path().parent)"
+    used = output(python, "-c", code, cwd=folder)
+    if used != str(BUILD / "lib"):
+        fail(f"an editable installation takes the library of {used}")
 
 
 def test_python():
