@@ -61,6 +61,13 @@ def shown(session: nox.Session) -> None:
 
 
 @nox.session
+def files(session: nox.Session) -> None:
+    """Recordings as files of other programs, read and checked by these, and streams."""
+    install(session, "files")
+    check(session, "export", "lsl", guides="files")
+
+
+@nox.session
 def learning(session: nox.Session) -> None:
     """Stable-Baselines3, and the same algorithms compiled by JAX (sbx)."""
     install_learner(session, "train", "train", "train-alone")

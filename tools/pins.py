@@ -84,3 +84,5 @@ def renew(keep):
     compile_list("test", ours, "--extra", "test", python="3.9")
     extras = [word for one in ("test", "view", "video", "plot", "rerun", "usd") for word in ("--extra", one)]
     compile_list("view", ours, f"{pins}browser.in", *extras)
+    extras = [word for one in ("test", "video", "nwb", "bids", "lsl") for word in ("--extra", one)]
+    compile_list("files", ours, f"{pins}files.in", *extras)

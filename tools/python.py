@@ -58,7 +58,7 @@ def check_editable():
 def test_python():
     wheel()
     check_editable()
-    sessions("package", "shown", "learning", "earlier")
+    sessions("package", "shown", "files", "learning", "earlier")
 
 
 def test_pythons():

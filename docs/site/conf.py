@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BUILT = ROOT / "build/docs"
 LINK = re.compile(r"\]\(([^)#\s]+)(#[^)\s]*)?\)")
 # Modules of the package that programs import; the others are parts of them, or of mimo itself.
-EXTRAS = "babybench classic motion plot ray rerun sb3 usd video view"
+EXTRAS = "babybench bids by_field classic lsl motion nwb plot ray rerun sb3 usd video view"
 MODULES = {"mimo", *(f"mimo.{name}" for name in EXTRAS.split())}
 READERS = "train-agents study-infants embed from-mimo cameras contribute"
 TUTORIALS = "meet-the-infant first-experiment same-face hand two-infants embed bring-your-experiment many-worlds"

@@ -20,9 +20,24 @@ namespace {
 
 using Json = Glb::Json;
 
+// What the Python package writes: an option, the package's extra, and what the command needs besides.
+struct OfPython {
+  const char *option, *type, *what, *extra, *rest;
+};
+
+constexpr OfPython kOfPython[] = {
+    {"--usd", "FILE", "USD", "usd", "--scene SCENE"},
+    {"--nwb", "FILE.nwb", "Neurodata Without Borders, of a recording", "nwb", "run.h5"},
+    {"--bids-motion", "FOLDER", "BIDS with motion, of a recording", "bids", "run.h5"},
+    {"--csv", "FOLDER", "Tables by field, of a recording", "bids", "run.h5"},
+    {"--wav", "FOLDER", "Sounds by field, of a recording", "bids", "run.h5"},
+    {"--mp4", "FOLDER", "Films by field, of a recording", "video", "run.h5"},
+};
+
 struct ExportOptions {
   WorldOptions world;
-  std::string gltf, usd;
+  std::string gltf, recording;
+  std::array<std::string, std::size(kOfPython)> of_python;
   double seconds = 0;
   std::uint32_t segments = 24;
 };
@@ -204,11 +219,14 @@ class GltfScene {
 };
 
 void export_scene(const ExportOptions& options) {
-  if (!options.usd.empty()) {
-    throw Failure(
-        "USD files are written by the Python package: pip install 'mimo[usd]', then python -m mimo.export --usd FILE "
-        "--scene SCENE");
+  for (std::size_t i = 0; i < std::size(kOfPython); ++i) {
+    const OfPython& it = kOfPython[i];
+    if (options.of_python[i].empty()) continue;
+    throw Failure(std::string(it.option) + " is written by the Python package: pip install 'mimo[" + it.extra +
+                  "]', then python -m mimo.export " + it.option + ' ' + options.of_python[i] + ' ' +
+                  (options.recording.empty() ? it.rest : options.recording));
   }
+  if (!options.recording.empty()) throw Failure("--gltf writes a scene, not the recording " + options.recording);
   if (options.gltf.empty()) throw CLI::RequiredError("--gltf");
   require_writable(options.gltf);
   mimo::Env env = open_bare_world(options.world, make_env_config());
@@ -247,7 +265,13 @@ void add_export(CLI::App& program) {
   command->add_option("--gltf", options->gltf, "glTF 2.0, with textures inside: Blender, Unity, Godot, three.js")
       ->type_name("FILE.glb")
       ->check(CLI::Validator(check_glb, ""));
-  command->add_option("--usd", options->usd, "USD: tells how the Python package writes it")->type_name("FILE");
+  command->add_option("recording", options->recording, "The recording that the Python package writes")
+      ->type_name("FILE.h5");
+  for (std::size_t i = 0; i < std::size(kOfPython); ++i) {
+    const OfPython& it = kOfPython[i];
+    const std::string told = std::string(it.what) + ": tells how the Python package writes it";
+    command->add_option(it.option, options->of_python[i], told)->type_name(it.type);
+  }
   command->add_option("--seconds", options->seconds, "With an animation: so long random movement; default: none")
       ->check(number(0, 3600))
       ->option_text("S");

@@ -161,9 +161,19 @@ class Export(Case):
 
     def test_usd_is_the_python_package_s(self):
         told = self.mimo("export", "--usd", "infant.usda", code=1)
-        self.assertIn("USD files are written by the Python package: pip install 'mimo[usd]', then "
-                      "python -m mimo.export --usd FILE --scene SCENE", told)
+        self.assertIn("--usd is written by the Python package: pip install 'mimo[usd]', then "
+                      "python -m mimo.export --usd infant.usda --scene SCENE", told)
         self.assertIn("--gltf", self.mimo("export", code=2))
+        self.assertEqual(self.files(), [])
+
+    def test_recordings_are_the_python_package_s(self):
+        for option, extra in (("--nwb", "nwb"), ("--bids-motion", "bids"), ("--csv", "bids"), ("--wav", "bids"),
+                              ("--mp4", "video")):
+            told = self.mimo("export", option, "out", "run.h5", code=1)
+            self.assertIn("%s is written by the Python package: pip install 'mimo[%s]', then "
+                          "python -m mimo.export %s out run.h5" % (option, extra, option), told)
+        self.assertIn("--gltf writes a scene, not the recording run.h5",
+                      self.mimo("export", "--gltf", "a.glb", "run.h5", code=1))
         self.assertEqual(self.files(), [])
 
 

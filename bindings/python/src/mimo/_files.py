@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import secrets
+import shutil
 import stat
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -88,3 +89,27 @@ def _is_stream(path: Path) -> bool:
 def _is_open_pipe(path: Path) -> bool:
     """Whether a pipe has both ends, like bash's >(...); a named pipe waits for its reader."""
     return not os.path.exists(os.path.realpath(path))
+
+
+@contextmanager
+def new_folder(name: Name) -> Iterator[Path]:
+    """Yields a temporary folder beside `name`, which takes that name when the block is done; `name` is new or empty."""
+    place = Path(os.path.realpath(name))
+    if not place.parent.is_dir():
+        raise FileNotFoundError(f"cannot write {name}: there is no folder {place.parent}")
+    if place.exists() and not place.is_dir():
+        raise NotADirectoryError(f"cannot write {name}: it is a file, expected a folder")
+    if place.is_dir() and any(place.iterdir()):
+        raise FileExistsError(f"cannot write {name}: the folder is not empty")
+    if not os.access(place.parent, os.W_OK):
+        raise PermissionError(f"cannot write {name}: {place.parent} may not be written to")
+    beside = place.with_name(f"{MARK}{secrets.token_hex(8)}")
+    with failures_named(name):
+        beside.mkdir()
+        try:
+            yield beside
+            if place.is_dir():
+                place.rmdir()
+            beside.replace(place)
+        finally:
+            shutil.rmtree(beside, ignore_errors=True)

@@ -35,7 +35,7 @@ class Fields(Dict[str, NDArray[Any]]):
     """A dict of fields by name; for a missing one the error says why."""
 
     def __missing__(self, name: Any) -> NDArray[Any]:
-        raise NoFieldError(_no_field(str(name), list(self)))
+        raise NoFieldError(no_field(str(name), list(self)))
 
     def __reduce__(self) -> Tuple[Any, ...]:  # pickled as an ordinary dict
         return dict, (dict(self),)
@@ -48,7 +48,8 @@ class NoFieldError(KeyError):
         return str(self.args[0])
 
 
-def _no_field(name: str, names: List[str]) -> str:
+def no_field(name: str, names: List[str]) -> str:
+    """Says why there is no field of a name."""
     sense = name.split("/")[-2] if "/" in name else ""
     if sense in SENSES and not any(f"{sense}/" in other for other in names):
         return f"no field {name!r}: {sense} is off here; make the world with {sense}=True"

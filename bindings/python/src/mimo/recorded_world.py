@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Dict, List, NoReturn, cast
+from typing import Any, Dict, List, NoReturn, Optional, cast
 
 from . import _abi
 from ._handle import Handle, Native
@@ -43,7 +43,20 @@ def recorded_world(recording: Handle, path: str, eyes: int) -> World:
     return _made(recording, path, senses)
 
 
-def _made(recording: Handle, path: str, senses: _abi.AgentConfig) -> World:
+def world_as_recorded(recording: Handle, path: str) -> World:
+    """The world of a recording with exactly the senses that it had."""
+    return _made(recording, path, None)
+
+
+def world_without_senses(recording: Handle, path: str) -> World:
+    """The world of a recording, for what moves in it."""
+    senses = defaults(_abi.AgentConfig)
+    for sense in SENSES:
+        setattr(senses, sense, 0)
+    return _made(recording, path, senses)
+
+
+def _made(recording: Handle, path: str, senses: Optional[_abi.AgentConfig]) -> World:
     # No variable here may hold the native handle: an error keeps these frames, and the file would stay open.
     made = ctypes.c_void_p()
     check(LIB.mimo_recording_env(recording._handle, None, senses, made))
