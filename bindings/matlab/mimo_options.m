@@ -12,7 +12,7 @@ function mimo_options()
 %     body                  "mitten" (default) or "fingers" (five fingers, a big toe); with "-mirrored" appended the
 %                           left side mirrors the right one. "scene": the body is in the scene's MJCF.
 %     position              Of the point selected by place, m, world frame; unused with 'scene'.
-%     orientation           Of the root body, w x y z; need not be normalised.
+%     orientation           Of the root body, w x y z; need not be normalised; unused with 'scene'.
 %     proprioception        Words of Proprioception; {}: no proprioception. Default, as the original: 'velocity',
 %                           'torque', 'limit', 'actuation' and 'position'.
 %     vestibular            Words of Vestibular; {}: no sense of balance. Default: 'acceleration' and
@@ -33,7 +33,7 @@ function mimo_options()
 %     reflexes              Words of Reflex; adds the field reflex/activation; {} (default): none. Experimental.
 %     touch_scale           Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many. Default 1.
 %     touch_slip_threshold  Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005.
-%     face                  Its first face, see mimo_names('face'); unless set: neutral.
+%     face                  The face that it starts with, see mimo_names('face'); unless set: neutral.
 %     root                  With body "scene": the body of the model that, with its children, is the agent; "world": the
 %                           whole model. Unless set: an infant.
 %     vestibular_at         Site or body whose motion the vestibular sense feels; unless set: the infant's head.
@@ -173,7 +173,8 @@ function mimo_options()
 %     distance              Free camera: its distance from that point, m, > 0.
 %     azimuth               Free camera: degrees; 0 looks along +x, 90 along +y.
 %     elevation             Free camera: degrees; negative looks down.
-%     fovy                  Vertical field of view, degrees; 0: the camera's own.
+%     fovy                  Vertical field of view, degrees, 1 to 170; 0: the camera's own, for the free camera the
+%                           model's.
 %     foveation             As vision_foveation of mimo_agent_config, for colour and projected points. Default 0.
 %
 %   A recording: mimo_record:

@@ -63,12 +63,12 @@ function mimo_quantities()
 %     step_contact_peak_position  Step contact: 3, of the strongest contact at that time, world, m.
 %     agent_face                  Agent: 1, id of the 'face' that it shows; -1 for none of them. Writable, W, for agents
 %                                 that have a face.
-%     agent_goal                  Agent: what its task wants of it, and what is so far; how many numbers they are, and
-%                                 of what, depends on the task: docs/tasks.md. None where a task has no such thing, as
-%                                 those of your own, which have fields.
-%     agent_achieved              Agent: see 'agent_goal'.
-%     agent_age                   Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no
-%                                 infant.
+%     agent_goal                  Agent: the numbers that its task wants to be reached; how many they are and what they
+%                                 mean depends on the task, see docs/tasks.md. No numbers for a task without a goal and
+%                                 for a custom task, which has fields instead.
+%     agent_achieved              Agent: the same numbers as they are so far; see 'agent_goal'.
+%     agent_age                   Agent: 1, its age in months, for size and mass (mimo_growth). No number for an agent
+%                                 that is not an infant.
 %     world_gravity               World: 3, m/s^2, world frame. Writable, W.
 %     body_nerve_length           Body: 1, m, how long nerves are from the middle of this part of an infant to its head,
 %                                 through the joints on their way; 0 for what is no part of one. Experimental.

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <mimo/mimo.hpp>
 #include <mutex>
 #include <thread>
@@ -82,20 +83,26 @@ int main() try {
   Shared shared(read(env, bodies));
   std::atomic<bool> over{false};
 
-  // From here on only this thread uses the world.
+  // From here on only this thread uses the world. An exception must not leave a thread: it goes to the one that draws.
+  std::exception_ptr failure;
   std::thread simulation([&] {
-    const Clock::time_point start = Clock::now();
-    std::vector<float> action(env.layout().info().actions);
-    for (int i = 1; !over; ++i) {
-      for (float& share : action) share = 0.3F * static_cast<float>(std::sin(6.0 * env.time()));
-      env.step(action, senses);
-      shared.push(read(env, bodies));
-      std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(Seconds(i * step)));
+    try {
+      const Clock::time_point start = Clock::now();
+      std::vector<float> action(env.layout().info().actions);
+      for (int i = 1; !over; ++i) {
+        for (float& share : action) share = 0.3F * static_cast<float>(std::sin(6.0 * env.time()));
+        env.step(action, senses);
+        shared.push(read(env, bodies));
+        std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(Seconds(i * step)));
+      }
+    } catch (...) {
+      failure = std::current_exception();
+      over = true;
     }
   });
 
   const Clock::time_point start = Clock::now();
-  for (int frame = 1; frame <= 60; ++frame) {
+  for (int frame = 1; frame <= 60 && !over; ++frame) {
     std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(Seconds(frame / 60.0)));
     const auto [before, last] = shared.both();
     const double shown = Seconds(Clock::now() - start).count() - step;
@@ -106,6 +113,7 @@ int main() try {
   }
   over = true;
   simulation.join();
+  if (failure) std::rethrow_exception(failure);
 } catch (const std::exception& error) {
   std::fprintf(stderr, "%s\n", error.what());
   return 1;

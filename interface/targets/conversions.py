@@ -63,6 +63,7 @@ CPP_FILE = """/**
 #ifndef MIMO_HPP_CONVERSIONS
 #define MIMO_HPP_CONVERSIONS
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -74,13 +75,13 @@ namespace mimo {{
 inline namespace v1_0 {{
 
 namespace detail {{
-inline void convert(mimo_status (*function)(std::int32_t, float *, std::size_t), const char *what, std::size_t width,
-                    std::int32_t axes, std::vector<float> &values) {{
+// How many rows a vector has.
+inline std::size_t rows(const std::vector<float> &values, std::size_t width, const char *what) {{
   if (values.size() % width != 0) {{
     throw std::invalid_argument(std::string(what) + " has " + std::to_string(values.size()) +
                                 " numbers, expected a multiple of " + std::to_string(width));
   }}
-  check(function(axes, values.data(), values.size() / width));
+  return values.size() / width;
 }}
 }}  // namespace detail
 
@@ -91,8 +92,12 @@ inline void convert(mimo_status (*function)(std::int32_t, float *, std::size_t),
 #endif
 """
 
-CPP_FUNCTION = """{doc}inline void {name}(std::int32_t axes, std::vector<float> &{one.what}) {{
-  detail::convert({one.function}, "{one.what}", {one.width}, axes, {one.what});
+CPP_FUNCTION = """{doc}inline void {name}(std::int32_t axes, float *{one.what}, std::size_t count) {{
+  check({one.function}(axes, {one.what}, count));
+}}
+/// The same for a vector of {one.width} numbers each.
+inline void {name}(std::int32_t axes, std::vector<float> &{one.what}) {{
+  {name}(axes, {one.what}.data(), detail::rows({one.what}, {one.width}, "{one.what}"));
 }}
 """
 

@@ -196,24 +196,34 @@ env::LoadReport Batch::load(const std::uint8_t* mask, Span<const std::uint8_t> s
   const bool shared = env::is_one_state(states);
   if (!shared && states.size() % size() != 0) {
     env::check_version(states);
-    fail(Status::kInvalidArgument, "state_bytes is {}, expected those of one state, or a number that {} worlds share",
-         states.size(), size());
+    fail(Status::kInvalidArgument, "state_bytes is {}, expected {} ({} worlds x {}), or a single state of its own size",
+         states.size(), size() * state_bytes(), size(), state_bytes());
   }
-  const std::size_t row = shared ? states.size() : states.size() / size();
-  const auto state_of = [&](std::size_t i) {
-    try {
-      return env::state_in(states.part(shared ? 0 : i * row, row));
-    } catch (const Error& error) {
-      fail(error.status(), "world {}: {}", i, error.message());
-    }
-  };
-  for (std::size_t i = 0; i < size(); ++i) {  // rows that hold something else: before any world is changed
-    if (mask == nullptr || mask[i] != 0) state_of(i);
-  }
+  require_idle();
   std::fill(loaded_.begin(), loaded_.end(), env::LoadReport{});
-  perform(mask, [&](std::size_t i, Report&) { loaded_[i] = world(i).load(state_of(i)); });
+  try {
+    perform(mask, [&](std::size_t i, Report&) {
+      loaded_[i] = shared ? world(i).begin_load(states) : begin_load_row(i, states);
+    });
+  } catch (...) {
+    for (std::size_t i = 0; i < size(); ++i) world(i).take_back_load();
+    throw;
+  }
+  perform(mask, [&](std::size_t i, Report&) { world(i).finish_load(); });
   const auto fewer = [](const env::LoadReport& a, const env::LoadReport& b) { return a.fresh < b.fresh; };
   return std::move(*std::max_element(loaded_.begin(), loaded_.end(), fewer));
+}
+
+// States of other worlds may be of another length than this batch's own; as a rule such rows are a mistake.
+env::LoadReport Batch::begin_load_row(std::size_t i, Span<const std::uint8_t> states) {
+  const std::size_t row = states.size() / size(), own = state_bytes();
+  try {
+    return world(i).begin_load(env::state_in(states.part(i * row, row)));
+  } catch (const Error& error) {
+    if (row == own || error.status() != Status::kFile) throw;
+    fail(Status::kFile, "{}; state_bytes is {}, so {} for each of {} worlds, expected {} for this batch's own states",
+         error.message(), states.size(), row, size(), own * size());
+  }
 }
 
 void Batch::begin(const Operation& operation) {

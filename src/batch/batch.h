@@ -77,7 +77,8 @@ class Batch : private Job {
   std::size_t state_bytes() const;
   // One state behind the other, at distances of state_bytes(), with zeros between them.
   void save(const std::uint8_t* mask, std::uint8_t* states);
-  // As many bytes for each world, or a single state, which all load. Tells of the world where most started afresh.
+  // As many bytes for each world, or a single state, which all load; where one is refused, none changes. Tells of the
+  // world where most started afresh.
   env::LoadReport load(const std::uint8_t* mask, Span<const std::uint8_t> states);
 
  private:
@@ -102,6 +103,7 @@ class Batch : private Job {
   void add_world(const env::CompiledWorldPtr& compiled, const blueprint::WorldsByAgePtr& ages, const void* host);
   void require_like_the_others(const CompiledWorlds& next, const std::uint8_t* mask,
                                std::vector<RenderersPtr>& renderers);
+  env::LoadReport begin_load_row(std::size_t world, Span<const std::uint8_t> states);
   void require_undisturbed() const;
   void begin(const Operation& operation);
   void perform(const std::uint8_t* mask, Work work, std::int32_t* status = nullptr);

@@ -46,7 +46,8 @@ class Use {
   // The tasks of a batch run on threads of its own.
   void require_work() const {
     if (is_at_work_for(object())) return;
-    fail(Status::kBusy, "{} is in use by another thread{}; a handle serves one at a time", kName,
+    fail(Status::kBusy,
+         "{} is in use by another thread{}; only calls that read it (const in the header) may run together", kName,
          in_a_call() ? ", or by the call that runs this function" : "");
   }
 

@@ -182,17 +182,48 @@ Span<const std::uint8_t> Archive::fitting(const Section& section, Span<const std
        there ? "another kind of" : "it has no section", section.name);
 }
 
-// What its parts refuse is no argument of anybody's.
 LoadReport Archive::load(Span<const std::uint8_t> state) {
+  LoadReport report = begin_load(state);
+  finish_load();
+  return report;
+}
+
+// Only the sections without a check can refuse their bytes while they load them: they come first, and go back.
+LoadReport Archive::begin_load(Span<const std::uint8_t> state) {
   try {
-    return load_sections(state);
+    LoadReport report = match(state);
+    save_backup();
+    loading_ = true;
+    load_sections(false);
+    return report;
   } catch (const Error& error) {
+    take_back_load();
+    // What its parts refuse is no argument of anybody's.
     if (error.status() != Status::kInvalidArgument) throw;
     throw Error(Status::kFile, error.message());
+  } catch (...) {
+    take_back_load();
+    throw;
   }
 }
 
-LoadReport Archive::load_sections(Span<const std::uint8_t> state) {
+void Archive::finish_load() {
+  try {
+    load_sections(true);
+  } catch (...) {
+    take_back_load();
+    throw;
+  }
+  loading_ = false;
+}
+
+void Archive::take_back_load() {
+  if (loading_) load_backup();
+  loading_ = false;
+}
+
+// Finds all sections in a sound state, and checks those that can be checked.
+LoadReport Archive::match(Span<const std::uint8_t> state) {
   const Span<const std::uint8_t> stored = open_state(model_, state);
   LoadReport report;
   for (std::size_t i = 0; i < sections_.size(); ++i) {
@@ -215,18 +246,12 @@ LoadReport Archive::load_sections(Span<const std::uint8_t> state) {
     sections_[i].check(from);
     require(from.left() == 0, "state: its section \"{}\" is {} bytes too long", sections_[i].name, from.left());
   }
-  save_backup();
-  try {
-    load_all();
-  } catch (...) {
-    load_backup();
-    throw;
-  }
   return report;
 }
 
-void Archive::load_all() {
+void Archive::load_sections(bool checked) {
   for (std::size_t i = 0; i < sections_.size(); ++i) {
+    if ((sections_[i].check != nullptr) != checked) continue;
     if (found_[i].data() == nullptr) {
       sections_[i].forget();
       continue;

@@ -47,13 +47,18 @@ class Archive {
   // Throws, with nothing changed, for anything that is no whole and sound state of the same model, agents, tasks and
   // actuations.
   LoadReport load(Span<const std::uint8_t> state);
+  // The same in two parts, so that of many worlds all load or none: what can be refused is refused by the first. The
+  // state stays where it is until the second part, or until it is taken back.
+  LoadReport begin_load(Span<const std::uint8_t> state);
+  void finish_load();
+  void take_back_load();  // nothing where none has begun
 
  private:
   // What the state has for a section; null bytes where there is nothing that fits.
   Span<const std::uint8_t> fitting(const Section& section, Span<const std::uint8_t> stored) const;
   bool knows(std::string_view name) const;
-  LoadReport load_sections(Span<const std::uint8_t> state);
-  void load_all();
+  LoadReport match(Span<const std::uint8_t> state);
+  void load_sections(bool checked);
   void save_backup();
   void load_backup();
 
@@ -63,6 +68,7 @@ class Archive {
   std::size_t bytes_ = 0;
   std::vector<Span<const std::uint8_t>> found_;  // by section, of the state that is being loaded
   std::vector<std::uint8_t> backup_;             // room to keep what load may have to put back
+  bool loading_ = false;                         // one has begun
 };
 
 }  // namespace mimo::env

@@ -489,11 +489,20 @@ void World::save(Span<std::uint8_t> state) const {
 }
 
 LoadReport World::load(Span<const std::uint8_t> state) {
+  LoadReport report = begin_load(state);
+  finish_load();
+  return report;
+}
+
+LoadReport World::begin_load(Span<const std::uint8_t> state) {
   require_outside_task();
   ++changes_;
-  LoadReport report = archive_.load(state);
+  return archive_.begin_load(state);
+}
+
+void World::finish_load() {
+  archive_.finish_load();
   step_contacts_.begin();
-  return report;
 }
 
 void World::report_warnings() {

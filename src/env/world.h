@@ -111,6 +111,10 @@ class World {
   // Throws, with nothing changed, for anything but a state of the same model, agents and task. What senses and motor
   // paths remember starts afresh where the state does not hold it.
   LoadReport load(Span<const std::uint8_t> state);
+  // In two parts, see Archive.
+  LoadReport begin_load(Span<const std::uint8_t> state);
+  void finish_load();
+  void take_back_load() { archive_.take_back_load(); }
 
   // The faces of the model, which agents show by their number in this list, in this world only; they outlive resets.
   const std::vector<body::Face>& faces() const { return faces_; }

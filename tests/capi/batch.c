@@ -146,6 +146,41 @@ static void check_newer_states(mimo_batch* batch, const uint8_t* states, size_t 
   free(newer);
 }
 
+/* One row of many is damaged: no world loads its state, and the error of each world is kept. */
+static void check_damaged_rows(mimo_batch* batch, const uint8_t* states, size_t size) {
+  const size_t length = WORLDS * size;
+  const char* message = NULL;
+  mimo_status status = MIMO_OK;
+  uint8_t *damaged = malloc(length), *before = malloc(length), *after = malloc(length);
+  int i;
+  CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL));
+  CHECK_OK(mimo_batch_state_save(batch, NULL, 0, before, length));
+  CHECK(memcmp(before, states, length) != 0);
+  for (i = 0; i < WORLDS; ++i) {
+    memcpy(damaged, states, length);
+    damaged[(size_t)i * size + size / 2] ^= 1;
+    CHECK_FAILS(MIMO_E_FILE, "damaged", mimo_batch_state_load(batch, NULL, 0, damaged, length, NULL));
+    CHECK_OK(mimo_batch_world_error(batch, (size_t)i, &status, &message));
+    CHECK(status == MIMO_E_FILE && strstr(message, "damaged") != NULL);
+    CHECK_OK(mimo_batch_world_error(batch, (size_t)((i + 1) % WORLDS), &status, NULL));
+    CHECK(status == MIMO_OK);
+    CHECK_OK(mimo_batch_state_save(batch, NULL, 0, after, length));
+    CHECK(memcmp(after, before, length) == 0);
+  }
+  CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states, length, NULL));
+  free(after);
+  free(before);
+  free(damaged);
+}
+
+/* A wrong number of bytes: the message has the right one. */
+static void check_state_bytes(mimo_batch* batch, const uint8_t* states, size_t size) {
+  char right[64];
+  snprintf(right, sizeof right, "expected %zu", WORLDS * size);
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, right, mimo_batch_state_load(batch, NULL, 0, states, WORLDS * size - 1, NULL));
+  CHECK_FAILS(MIMO_E_FILE, right, mimo_batch_state_load(batch, NULL, 0, states, WORLDS * size - WORLDS, NULL));
+}
+
 static void check_states(mimo_batch* batch) {
   mimo_env* view = NULL;
   size_t size = 0;
@@ -158,6 +193,8 @@ static void check_states(mimo_batch* batch) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "state_bytes is", mimo_batch_state_load(batch, NULL, 0, states, 2 * size, NULL));
   CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states, WORLDS * size, NULL));
   check_newer_states(batch, states, size);
+  check_damaged_rows(batch, states, size);
+  check_state_bytes(batch, states, size);
   CHECK_OK(mimo_batch_state_load(batch, NULL, 0, states + size, size, NULL));
   free(states);
 }

@@ -53,6 +53,13 @@ void check_places(const mimo::Env& env) {
   mimo::convert_points(MIMO_AXES_UNREAL, points);
   mimo::convert_directions(MIMO_AXES_UNREAL, directions);
   CHECK(points[1] == -200.0F && directions[1] == -2.0F);
+  float one[] = {1, 2, 3, 1, 0, 0, 0};  // a pose without a vector
+  mimo::convert_poses(MIMO_AXES_UNREAL, one, 1);
+  CHECK(one[1] == -200.0F && one[3] == 0.0F && one[6] == 1.0F);
+  mimo::convert_points(MIMO_AXES_UNREAL, one, 1);
+  CHECK(one[1] == 20000.0F);
+  mimo::convert_directions(MIMO_AXES_UNREAL, one, 2);
+  CHECK(one[1] == -20000.0F && one[2] == 30000.0F && one[6] == 1.0F);
   points.push_back(1);
   std::string told;
   try {

@@ -206,7 +206,7 @@ namespace Mimo
         /// <summary>Of the point selected by place, m, world frame; unused with Place.Scene.</summary>
         public Vector3d Position { get { return raw.position; } set { raw.position = value; } }
 
-        /// <summary>Of the root body, w x y z; need not be normalised.</summary>
+        /// <summary>Of the root body, w x y z; need not be normalised; unused with Place.Scene.</summary>
         public Quaterniond Orientation { get { return raw.orientation; } set { raw.orientation = value; } }
 
         /// <summary>Proprioception bits; 0: no proprioception. Default, as the original: Velocity, Torque, Limit,
@@ -265,7 +265,7 @@ namespace Mimo
         public double TouchSlipThreshold { get { return raw.touch_slip_threshold; } set { raw.touch_slip_threshold = value; } }
 
         private string face;
-        /// <summary>Its first face, see Faces.Names; null: neutral.</summary>
+        /// <summary>The face that it starts with, see Faces.Names; null: neutral.</summary>
         public string Face { get { return face ?? Utf8.OrNull(raw.face); } set { face = value; } }
 
         private string root;
@@ -555,7 +555,8 @@ namespace Mimo
         /// <summary>Free camera: degrees; negative looks down.</summary>
         public double Elevation { get { return raw.elevation; } set { raw.elevation = value; } }
 
-        /// <summary>Vertical field of view, degrees; 0: the camera's own.</summary>
+        /// <summary>Vertical field of view, degrees, 1 to 170; 0: the camera's own, for the free camera the
+        /// model's.</summary>
         public double Fovy { get { return raw.fovy; } set { raw.fovy = value; } }
 
         /// <summary>As vision_foveation of AgentConfig, for colour and projected points. Default 0.</summary>

@@ -32,7 +32,7 @@ namespace Mimo
         Forked = -11,
         /// <summary>A defect in libmimo; please report the message.</summary>
         Internal = -12,
-        /// <summary>A file cannot be written, or a file or state is damaged or something else.</summary>
+        /// <summary>A file cannot be written; a file or state is damaged, or is none.</summary>
         File = -13,
         /// <summary>A custom task failed or returned invalid values; see Env.Step.</summary>
         Task = -14,
@@ -469,7 +469,7 @@ namespace Mimo
         Actuator = 6,
         /// <summary>MuJoCo's sensors.</summary>
         Sensor = 7,
-        /// <summary>Lights; the headlight is none of them.</summary>
+        /// <summary>Lights, without the headlight.</summary>
         Light = 8,
         /// <summary>Contacts that the last physics step computed, or the reset. No names.</summary>
         Contact = 9,
@@ -608,13 +608,14 @@ namespace Mimo
         /// <summary>Agent: 1, id of the Kind.Face that it shows; -1 for none of them. Writable, W, for agents that have
         /// a face.</summary>
         AgentFace = 0xB01,
-        /// <summary>Agent: what its task wants of it, and what is so far; how many numbers they are, and of what,
-        /// depends on the task: docs/tasks.md. None where a task has no such thing, as those of your own, which have
-        /// fields.</summary>
+        /// <summary>Agent: the numbers that its task wants to be reached; how many they are and what they mean depends
+        /// on the task, see docs/tasks.md. No numbers for a task without a goal and for a custom task, which has fields
+        /// instead.</summary>
         AgentGoal = 0xB02,
-        /// <summary>Agent: see Quantity.AgentGoal.</summary>
+        /// <summary>Agent: the same numbers as they are so far; see Quantity.AgentGoal.</summary>
         AgentAchieved = 0xB03,
-        /// <summary>Agent: 1, months, as Growth says: of size and mass. None where the agent is no infant.</summary>
+        /// <summary>Agent: 1, its age in months, for size and mass (Growth). No number for an agent that is not an
+        /// infant.</summary>
         AgentAge = 0xB04,
         /// <summary>Agent: 1, months, of strength, range of motion and tone; likewise.</summary>
         AgentPhysiologicalAge = 0xB05,

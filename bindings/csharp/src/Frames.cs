@@ -23,7 +23,11 @@ namespace Mimo
         /// <summary>Converts poses in place, for example of single bodies: Env.GetFloat and Batch.GetFloat read them
         /// (Quantity.BodyPose, with Quantity.Now the current ones). Like Env.Poses for all elements of a
         /// kind.</summary>
-        /// <remarks>poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted
+        /// <remarks>The axes of the bodies are converted as well as those of the world: a body that is not turned in
+        /// one frame is not turned in any. So what lies in a body's frame (a mesh, the places of its sensors) needs the
+        /// same conversion. The quaternion keeps its sign and its length: w stays the same number, and q and -q, which
+        /// are the same rotation, stay apart; for a pose between two others, negate one quaternion if their dot product
+        /// is negative. poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted
         /// quaternion has the order of the frame.</remarks>
         public static void ConvertPoses(Axes axes, float[] poses)
         {

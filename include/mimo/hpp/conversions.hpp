@@ -6,6 +6,7 @@
 #ifndef MIMO_HPP_CONVERSIONS
 #define MIMO_HPP_CONVERSIONS
 
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -17,37 +18,54 @@ namespace mimo {
 inline namespace v1_0 {
 
 namespace detail {
-inline void convert(mimo_status (*function)(std::int32_t, float *, std::size_t), const char *what, std::size_t width,
-                    std::int32_t axes, std::vector<float> &values) {
+// How many rows a vector has.
+inline std::size_t rows(const std::vector<float> &values, std::size_t width, const char *what) {
   if (values.size() % width != 0) {
     throw std::invalid_argument(std::string(what) + " has " + std::to_string(values.size()) +
                                 " numbers, expected a multiple of " + std::to_string(width));
   }
-  check(function(axes, values.data(), values.size() / width));
+  return values.size() / width;
 }
 }  // namespace detail
 
 /// Converts points in place: positions, or the places of touch sensors.
 ///
 /// points: three numbers each, in libmimo's frame.
+inline void convert_points(std::int32_t axes, float *points, std::size_t count) {
+  check(mimo_convert_points(axes, points, count));
+}
+/// The same for a vector of 3 numbers each.
 inline void convert_points(std::int32_t axes, std::vector<float> &points) {
-  detail::convert(mimo_convert_points, "points", 3, axes, points);
+  convert_points(axes, points.data(), detail::rows(points, 3, "points"));
 }
 
 /// Converts directions in place: normals, forces, velocities; their lengths do not change.
 ///
 /// directions: three numbers each, in libmimo's frame.
+inline void convert_directions(std::int32_t axes, float *directions, std::size_t count) {
+  check(mimo_convert_directions(axes, directions, count));
+}
+/// The same for a vector of 3 numbers each.
 inline void convert_directions(std::int32_t axes, std::vector<float> &directions) {
-  detail::convert(mimo_convert_directions, "directions", 3, axes, directions);
+  convert_directions(axes, directions.data(), detail::rows(directions, 3, "directions"));
 }
 
 /// Converts poses in place, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
 /// (MIMO_BODY_POSE, with MIMO_NOW the current ones). Like mimo_env_poses for all elements of a kind.
 ///
+/// The axes of the bodies are converted as well as those of the world: a body that is not turned in one frame is not
+/// turned in any. So what lies in a body's frame (a mesh, the places of its sensors) needs the same conversion. The
+/// quaternion keeps its sign and its length: w stays the same number, and q and -q, which are the same rotation, stay
+/// apart; for a pose between two others, negate one quaternion if their dot product is negative.
+///
 /// poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
 /// order of the frame.
+inline void convert_poses(std::int32_t axes, float *poses, std::size_t count) {
+  check(mimo_convert_poses(axes, poses, count));
+}
+/// The same for a vector of 7 numbers each.
 inline void convert_poses(std::int32_t axes, std::vector<float> &poses) {
-  detail::convert(mimo_convert_poses, "poses", 7, axes, poses);
+  convert_poses(axes, poses.data(), detail::rows(poses, 7, "poses"));
 }
 
 }  // namespace v1_0

@@ -87,7 +87,7 @@ class Status(IntEnum):
     """A defect in libmimo; please report the message."""
 
     FILE = -13
-    """A file cannot be written, or a file or state is damaged or something else."""
+    """A file cannot be written; a file or state is damaged, or is none."""
 
     TASK = -14
     """A custom task failed or returned invalid values; see World.step."""
@@ -607,7 +607,7 @@ class Kind(IntEnum):
     """MuJoCo's sensors."""
 
     LIGHT = 8
-    """Lights; the headlight is none of them."""
+    """Lights, without the headlight."""
 
     CONTACT = 9
     """Contacts that the last physics step computed, or the reset. No names."""
@@ -793,15 +793,15 @@ class Quantity(IntEnum):
     """Agent: 1, id of the Kind.FACE that it shows; -1 for none of them. Writable, W, for agents that have a face."""
 
     AGENT_GOAL = 2818
-    """Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the
-    task: docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+    """Agent: the numbers that its task wants to be reached; how many they are and what they mean depends on the task,
+    see docs/tasks.md. No numbers for a task without a goal and for a custom task, which has fields instead.
     """
 
     AGENT_ACHIEVED = 2819
-    """Agent: see Quantity.AGENT_GOAL."""
+    """Agent: the same numbers as they are so far; see Quantity.AGENT_GOAL."""
 
     AGENT_AGE = 2820
-    """Agent: 1, months, as GrowthOptions says: of size and mass. None where the agent is no infant."""
+    """Agent: 1, its age in months, for size and mass (GrowthOptions). No number for an agent that is not an infant."""
 
     WORLD_GRAVITY = 3329
     """World: 3, m/s^2, world frame. Writable, W."""

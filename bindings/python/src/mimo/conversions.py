@@ -35,6 +35,11 @@ def convert_poses(poses: ArrayLike, axes: AxesOf) -> Floats:
     """Converts poses, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
     (Quantity.BODY_POSE, with NOW the current ones). Like World.poses for all elements of a kind.
 
+    The axes of the bodies are converted as well as those of the world: a body that is not turned in one frame is not
+    turned in any. So what lies in a body's frame (a mesh, the places of its sensors) needs the same conversion. The
+    quaternion keeps its sign and its length: w stays the same number, and q and -q, which are the same rotation, stay
+    apart; for a pose between two others, negate one quaternion if their dot product is negative.
+
     poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
     order of the frame.
     """

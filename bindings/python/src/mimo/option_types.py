@@ -166,7 +166,7 @@ class InfantOptions(TypedDict, total=False):
     """Of the point selected by place, m, world frame; unused with Place.SCENE."""
 
     orientation: Numbers
-    """Of the root body, w x y z; need not be normalised."""
+    """Of the root body, w x y z; need not be normalised; unused with Place.SCENE."""
 
     proprioception: Bits[Proprioception]
     """Proprioception bits; 0: no proprioception. Default, as the original: Proprioception.VELOCITY,
@@ -224,7 +224,7 @@ class InfantOptions(TypedDict, total=False):
     """Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005."""
 
     face: str
-    """Its first face, see faces(); None: neutral."""
+    """The face that it starts with, see faces(); None: neutral."""
 
     root: str
     """With body "scene": the body of the model that, with its children, is the agent; "world": the whole model. None:
@@ -421,7 +421,7 @@ class PictureOptions(TypedDict, total=False):
     """Free camera: degrees; negative looks down."""
 
     fovy: float
-    """Vertical field of view, degrees; 0: the camera's own."""
+    """Vertical field of view, degrees, 1 to 170; 0: the camera's own, for the free camera the model's."""
 
     foveation: float
     """As vision_foveation of InfantOptions, for colour and projected points. Default 0."""

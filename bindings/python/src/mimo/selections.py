@@ -89,7 +89,7 @@ class Sensors(Selection):
 
 
 class Lights(Selection):
-    """Lights; the headlight is none of them."""
+    """Lights, without the headlight."""
 
     kind = Kind.LIGHT
     position = WritableValues(Quantity.LIGHT_POSITION)

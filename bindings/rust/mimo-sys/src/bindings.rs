@@ -65,7 +65,7 @@ pub const MIMO_E_FORKED: i32 = -11;
 /// A defect in libmimo; please report the message.
 pub const MIMO_E_INTERNAL: i32 = -12;
 
-/// A file cannot be written, or a file or state is damaged or something else.
+/// A file cannot be written; a file or state is damaged, or is none.
 pub const MIMO_E_FILE: i32 = -13;
 
 /// A custom task failed or returned invalid values; see mimo_env_step.
@@ -312,7 +312,7 @@ pub const MIMO_ACTUATOR: i32 = 6;
 /// MuJoCo's sensors.
 pub const MIMO_SENSOR: i32 = 7;
 
-/// Lights; the headlight is none of them.
+/// Lights, without the headlight.
 pub const MIMO_LIGHT: i32 = 8;
 
 /// Contacts that the last physics step computed, or the reset. No names.
@@ -482,14 +482,14 @@ pub const MIMO_STEP_CONTACT_PEAK_POSITION: i32 = 2567;
 /// Agent: 1, id of the MIMO_FACE that it shows; -1 for none of them. Writable, W, for agents that have a face.
 pub const MIMO_AGENT_FACE: i32 = 2817;
 
-/// Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
-/// docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+/// Agent: the numbers that its task wants to be reached; how many they are and what they mean depends on the task, see
+/// docs/tasks.md. No numbers for a task without a goal and for a custom task, which has fields instead.
 pub const MIMO_AGENT_GOAL: i32 = 2818;
 
-/// Agent: see MIMO_AGENT_GOAL.
+/// Agent: the same numbers as they are so far; see MIMO_AGENT_GOAL.
 pub const MIMO_AGENT_ACHIEVED: i32 = 2819;
 
-/// Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
+/// Agent: 1, its age in months, for size and mass (mimo_growth). No number for an agent that is not an infant.
 pub const MIMO_AGENT_AGE: i32 = 2820;
 
 /// World: 3, m/s^2, world frame. Writable, W.
@@ -915,7 +915,7 @@ pub struct mimo_env {
     opaque: [u8; 0],
 }
 
-/// Many worlds. Its functions need exclusive use of it, as those of an environment; it manages its own threads.
+/// Many worlds, with threads of their own. Several threads use it as any other handle, see mimo.h.
 #[repr(C)]
 #[derive(Debug)]
 pub struct mimo_batch {
@@ -972,7 +972,7 @@ pub type mimo_task_evaluate_fn = Option<unsafe extern "C" fn(user: *mut c_void, 
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct mimo_log_record {
-    /// Of the library's struct. 256 bytes are there, zero beyond it.
+    /// Size in the library. 256 bytes are readable, zero beyond it.
     pub struct_size: u32,
     /// MIMO_LOG_WARNING or MIMO_LOG_INFO.
     pub level: i32,
@@ -1224,7 +1224,7 @@ pub struct mimo_agent_config {
     pub body: *const c_char,
     /// Of the point selected by place, m, world frame; unused with _PLACE_SCENE.
     pub position: [f64; 3],
-    /// Of the root body, w x y z; need not be normalised.
+    /// Of the root body, w x y z; need not be normalised; unused with _PLACE_SCENE.
     pub orientation: [f64; 4],
     /// MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original: VELOCITY, TORQUE, LIMIT, ACTUATION
     /// and POSITION.
@@ -1264,7 +1264,7 @@ pub struct mimo_agent_config {
     pub touch_scale: f64,
     /// Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005.
     pub touch_slip_threshold: f64,
-    /// Its first face, see mimo_face_name; NULL: neutral.
+    /// The face that it starts with, see mimo_face_name; NULL: neutral.
     pub face: *const c_char,
     /// With body "scene": the body of the model that, with its children, is the agent; "world": the whole model. NULL:
     /// an infant.
@@ -1569,7 +1569,7 @@ pub struct mimo_picture_config {
     pub azimuth: f64,
     /// Free camera: degrees; negative looks down.
     pub elevation: f64,
-    /// Vertical field of view, degrees; 0: the camera's own.
+    /// Vertical field of view, degrees, 1 to 170; 0: the camera's own, for the free camera the model's.
     pub fovy: f64,
     /// As vision_foveation of mimo_agent_config, for colour and projected points. Default 0.
     pub foveation: f64,
@@ -2179,7 +2179,7 @@ extern "C" {
     /// Errors of this function do not change any handle's message. Any thread may call it, also while others use the
     /// handle.
     ///
-    /// * `handle`: a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder or mimo_recording.
+    /// * `handle`: a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_layout, mimo_recorder or mimo_recording.
     ///
     /// * `text`: receives the message, zero-terminated, "" if no call has failed yet; NULL with capacity 0 asks only
     /// for its length.
@@ -2507,20 +2507,32 @@ extern "C" {
     /// * `size`: sizeof(mimo_env_config) as the caller knows it.
     pub fn mimo_env_config_init(config: *mut mimo_env_config, size: usize) -> mimo_status;
 
-    /// Compiles a scene and makes a world in its initial state. Reset it before the first step: only a reset lets the
-    /// task prepare an episode. Note: MuJoCo's XML loader calls srand(123), the only process state that changes.
+    /// Compiles a scene and makes a world at the scene's stored state, at time 0, with the random numbers of seed 0.
+    /// Reset it before the first step: only a reset lets the task prepare an episode. A step before the first reset is
+    /// accepted; it starts from the scene's stored state, where the task has prepared nothing and drawn no goal. Note:
+    /// MuJoCo's XML loader calls srand(123), the only process state that changes.
     ///
     /// Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for a
-    /// task other than "none" in a scene without agents (a built-in scene with neither logs a message);
-    /// MIMO_E_UNSUPPORTED if vision is on and no renderer works on this machine, if the program's C++ locale has a
-    /// decimal comma, or if another version of MuJoCo is in the program's global scope.
+    /// scene without agents, unless its task is "none" (a built-in scene then logs a message that
+    /// mimo_scene_add_agents would add its infants); MIMO_E_UNSUPPORTED if vision is on and no renderer works on this
+    /// machine, if the program's C++ locale has a decimal comma, or if another version of MuJoCo is in the program's
+    /// global scope.
     ///
     /// * `scene`: is not needed afterwards.
     ///
     /// * `config`: NULL means defaults.
     pub fn mimo_env_create(scene: *const mimo_scene, config: *const mimo_env_config, env: *mut *mut mimo_env) -> mimo_status;
 
-    /// Makes a world of a built-in scene with its infants (mimo_scene_add_agents) and task, in one call.
+    /// Makes a world of a built-in scene with its infants and task, all with defaults, in one call. Where something is
+    /// to be set, the same in steps: mimo_scene_config_init, the scene's name, mimo_scene_create;
+    /// mimo_scene_default_agent, mimo_scene_add_agents; mimo_env_config_init, mimo_env_create; mimo_scene_destroy.
+    /// docs/guide/first-program.md has it as a program.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND for an unknown scene; the others as mimo_env_create.
+    ///
+    /// * `scene_name`: see mimo_scene_name.
+    ///
+    /// * `env`: receives the handle; destroy it with mimo_env_destroy.
     pub fn mimo_env_make(scene_name: *const c_char, env: *mut *mut mimo_env) -> mimo_status;
 
     /// Destroys a world. NULL and destroyed handles are ignored.
@@ -2532,7 +2544,7 @@ extern "C" {
     /// Name of the task. The environment owns the string, until a reset to another age.
     pub fn mimo_env_task(env: *const mimo_env, name: *mut *const c_char) -> mimo_status;
 
-    /// Physics steps per environment step.
+    /// Physics steps per environment step: frame_skip of the config, or the scene's.
     pub fn mimo_env_frame_skip(env: *const mimo_env, frame_skip: *mut u32) -> mimo_status;
 
     /// Describes the index-th agent. Set info->struct_size first.
@@ -2553,7 +2565,8 @@ extern "C" {
     ///
     /// * `config`: NULL: the random numbers continue.
     ///
-    /// * `block`: receives the observation, as from mimo_env_observe; may be NULL with block_bytes 0.
+    /// * `block`: receives the observation, as from mimo_env_observe: at least block_bytes of mimo_layout_info; NULL
+    /// with block_bytes 0 skips the senses.
     pub fn mimo_env_reset(env: *mut mimo_env, config: *const mimo_reset_config, block: *mut c_void, block_bytes: usize) -> mimo_status;
 
     /// Simulates one step: sets the motors, runs frame_skip physics steps, senses, computes rewards. After the end of
@@ -2567,10 +2580,13 @@ extern "C" {
     /// a state. MIMO_E_TASK if a custom task fails, whatever it returned: the step has happened, block is written and
     /// results are not. MIMO_E_BUSY from within a task of this world: nothing happens.
     ///
-    /// * `action`: all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the controls
-    /// unchanged (0 after a reset, or as set by mimo_env_set).
+    /// * `action`: all agents' actions, clipped to their bounds (mimo_layout_action); NULL with action_count 0 leaves
+    /// the controls unchanged (0 after a reset, or as set by mimo_env_set).
     ///
-    /// * `block`: receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
+    /// * `action_count`: actions of mimo_layout_info, or 0.
+    ///
+    /// * `block`: receives the observation, every byte of it: at least block_bytes of mimo_layout_info; NULL with
+    /// block_bytes 0 skips the senses.
     ///
     /// * `results`: may be NULL.
     pub fn mimo_env_step(env: *mut mimo_env, action: *const f32, action_count: usize, block: *mut c_void, block_bytes: usize, results: *const mimo_env_results) -> mimo_status;
@@ -2592,10 +2608,10 @@ extern "C" {
     /// * `count`: 0 to 1000000.
     pub fn mimo_env_physics_step(env: *mut mimo_env, count: usize) -> mimo_status;
 
-    /// Simulated seconds since reset.
+    /// Simulated seconds since the last reset.
     pub fn mimo_env_time(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
 
-    /// Length of one physics step, seconds.
+    /// Length of one physics step, seconds. One environment step takes step_seconds of mimo_layout_info.
     pub fn mimo_env_timestep(env: *const mimo_env, seconds: *mut f64) -> mimo_status;
 
     /// Number of elements of a kind (MIMO_BODY ...) in the world.
@@ -2667,6 +2683,12 @@ extern "C" {
     /// Converts poses in place, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
     /// (MIMO_BODY_POSE, with MIMO_NOW the current ones). Like mimo_env_poses for all elements of a kind.
     ///
+    /// The axes of the bodies are converted as well as those of the world: a body that is not turned in one frame is
+    /// not turned in any. So what lies in a body's frame (a mesh, the places of its sensors) needs the same
+    /// conversion. The quaternion keeps its sign and its length: w stays the same number, and q and -q, which are the
+    /// same rotation, stay apart; for a pose between two others, negate one quaternion if their dot product is
+    /// negative.
+    ///
     /// * `poses`: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has
     /// the order of the frame.
     pub fn mimo_convert_poses(axes: i32, poses: *mut f32, pose_count: usize) -> mimo_status;
@@ -2683,7 +2705,7 @@ extern "C" {
     /// * `value_count`: length of poses: seven times mimo_env_count.
     pub fn mimo_env_poses(env: *const mimo_env, kind: mimo_kind, axes: i32, poses: *mut f32, value_count: usize) -> mimo_status;
 
-    /// Fills a mesh with defaults: no arrays.
+    /// Fills a mesh with defaults: no arrays, libmimo's frame.
     pub fn mimo_mesh_init(mesh: *mut mimo_mesh, size: usize) -> mimo_status;
 
     /// A geom as triangles. Meshes and height fields of the model are copied as they are, independent of segments.
@@ -2751,7 +2773,7 @@ extern "C" {
     pub fn mimo_batch_config_init(config: *mut mimo_batch_config, size: usize) -> mimo_status;
 
     /// Compiles a scene, once for each age, and makes worlds of it; worlds of one age share its model. Until it is
-    /// seeded, world i has the random numbers of seed i.
+    /// seeded, world i has the random numbers of seed i. Reset it before the first step, see mimo_env_create.
     ///
     /// Errors: as mimo_env_create; for a cohort as mimo_growth says, and MIMO_E_INVALID_ARGUMENT if it would make the
     /// worlds' observations differ in shape (keep_spacing).
@@ -2838,18 +2860,26 @@ extern "C" {
     /// sizes. Only a reset to another age changes it.
     pub fn mimo_batch_state_size(batch: *const mimo_batch, bytes: *mut usize) -> mimo_status;
 
-    /// Saves the states of many worlds.
+    /// Saves the states of many worlds. It needs the batch for itself, though it changes no world: its threads do the
+    /// work, and mimo_batch_world_error tells of this call afterwards.
+    ///
+    /// Errors: MIMO_E_SIMULATION if a world has failed; its row is not written, all others are.
     ///
     /// * `states`: worlds x mimo_batch_state_size bytes; a state that is shorter is followed by zeros.
     pub fn mimo_batch_state_save(batch: *mut mimo_batch, mask: *const u8, worlds: usize, states: *mut c_void, state_bytes: usize) -> mimo_status;
 
     /// Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load.
+    /// All rows are checked before any world changes: either all worlds load their states, or none does.
     ///
-    /// Errors: as mimo_env_state_load, of the first world that did not load its state; others have. If the bytes hold
-    /// anything other than such states, no world has changed.
+    /// Errors: as mimo_env_state_load, of the first world whose state is refused, for example because its row is
+    /// damaged; mimo_batch_world_error tells which others are. No world has changed then. Rows that a mask leaves out
+    /// are not read.
     ///
     /// * `states`: rows of equal length, one per world, each a state followed by zeros; or a single state without
     /// zeros, which all worlds load.
+    ///
+    /// * `state_bytes`: worlds x mimo_batch_state_size for states of this batch; the rows of other states may have
+    /// another length. For a single state its own size.
     ///
     /// * `report`: receives the report of the world with the most fresh memories; may be NULL.
     pub fn mimo_batch_state_load(batch: *mut mimo_batch, mask: *const u8, worlds: usize, states: *const c_void, state_bytes: usize, report: *mut mimo_load_report) -> mimo_status;

@@ -528,7 +528,7 @@ impl AgentConfig {
         self
     }
 
-    /// Of the root body, w x y z; need not be normalised.
+    /// Of the root body, w x y z; need not be normalised; unused with [`Place::SCENE`](crate::Place::SCENE).
     pub fn orientation(&mut self, orientation: [f64; 4]) -> &mut Self {
         self.raw.orientation = orientation;
         self
@@ -648,7 +648,7 @@ impl AgentConfig {
         self
     }
 
-    /// Its first face, see [`mimo_face_name`](crate::sys::mimo_face_name); unless set: neutral.
+    /// The face that it starts with, see [`mimo_face_name`](crate::sys::mimo_face_name); unless set: neutral.
     pub fn face(&mut self, face: &str) -> Result<&mut Self> {
         self.face = Some(c_string(face)?);
         Ok(self)
@@ -872,7 +872,7 @@ impl PictureConfig {
         self
     }
 
-    /// Vertical field of view, degrees; 0: the camera's own.
+    /// Vertical field of view, degrees, 1 to 170; 0: the camera's own, for the free camera the model's.
     pub fn fovy(&mut self, fovy: f64) -> &mut Self {
         self.raw.fovy = fovy;
         self

@@ -31,7 +31,7 @@ values! {
     FORKED = MIMO_E_FORKED,
     /// A defect in libmimo; please report the message.
     INTERNAL = MIMO_E_INTERNAL,
-    /// A file cannot be written, or a file or state is damaged or something else.
+    /// A file cannot be written; a file or state is damaged, or is none.
     FILE = MIMO_E_FILE,
     /// A custom task failed or returned invalid values; see [`mimo_env_step`](crate::sys::mimo_env_step).
     TASK = MIMO_E_TASK,
@@ -551,7 +551,7 @@ values! {
     ACTUATOR = MIMO_ACTUATOR,
     /// MuJoCo's sensors.
     SENSOR = MIMO_SENSOR,
-    /// Lights; the headlight is none of them.
+    /// Lights, without the headlight.
     LIGHT = MIMO_LIGHT,
     /// Contacts that the last physics step computed, or the reset. No names.
     CONTACT = MIMO_CONTACT,
@@ -678,12 +678,13 @@ values! {
     /// Agent: 1, id of the [`Kind::FACE`](crate::Kind::FACE) that it shows; -1 for none of them. Writable, W, for
     /// agents that have a face.
     AGENT_FACE = MIMO_AGENT_FACE,
-    /// Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the
-    /// task: docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+    /// Agent: the numbers that its task wants to be reached; how many they are and what they mean depends on the task,
+    /// see docs/tasks.md. No numbers for a task without a goal and for a custom task, which has fields instead.
     AGENT_GOAL = MIMO_AGENT_GOAL,
-    /// Agent: see [`Quantity::AGENT_GOAL`](crate::Quantity::AGENT_GOAL).
+    /// Agent: the same numbers as they are so far; see [`Quantity::AGENT_GOAL`](crate::Quantity::AGENT_GOAL).
     AGENT_ACHIEVED = MIMO_AGENT_ACHIEVED,
-    /// Agent: 1, months, as [`Growth`](crate::Growth) says: of size and mass. None where the agent is no infant.
+    /// Agent: 1, its age in months, for size and mass ([`Growth`](crate::Growth)). No number for an agent that is not
+    /// an infant.
     AGENT_AGE = MIMO_AGENT_AGE,
     /// World: 3, m/s^2, world frame. Writable, W.
     WORLD_GRAVITY = MIMO_WORLD_GRAVITY,

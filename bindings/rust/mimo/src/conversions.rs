@@ -26,6 +26,11 @@ pub fn convert_directions(axes: Axes, directions: &mut [[f32; 3]]) -> Result<()>
 /// ([`Quantity::BODY_POSE`](crate::Quantity::BODY_POSE), with `MIMO_NOW` the current ones). Like
 /// [`mimo_env_poses`](crate::sys::mimo_env_poses) for all elements of a kind.
 ///
+/// The axes of the bodies are converted as well as those of the world: a body that is not turned in one frame is not
+/// turned in any. So what lies in a body's frame (a mesh, the places of its sensors) needs the same conversion. The
+/// quaternion keeps its sign and its length: w stays the same number, and q and -q, which are the same rotation, stay
+/// apart; for a pose between two others, negate one quaternion if their dot product is negative.
+///
 /// poses: seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
 /// order of the frame.
 pub fn convert_poses(axes: Axes, poses: &mut [Pose]) -> Result<()> {
