@@ -15,9 +15,9 @@ from targets import bindings_page  # noqa: E402
 
 FUNCTION = "MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;"
 STRUCT = (
-    "/** An example. */\ntypedef struct mimo_example {{\n{}\n}} mimo_example;\n\n/** Simulated seconds since reset. */"
+    "/** An example. */\ntypedef struct mimo_example {{\n{}\n}} mimo_example;\n\n/** Simulated seconds since the last reset. */"
 )
-TIME = "/** Simulated seconds since reset. */"
+TIME = "/** Simulated seconds since the last reset. */"
 
 # Header, what is replaced in it, by what, and the message.
 CASES = {
