@@ -412,14 +412,14 @@ TEST(Batch, SavesAndLoadsManyStates) {
   EXPECT_EQ(failure([&] {
               rig.batch.load(nullptr, {states.data(), 3 * bytes - 1});
             }),
-            "state_bytes is " + std::to_string(3 * bytes - 1) +
-                ", expected those of one state, or a number that 3 worlds share");
+            "state_bytes is " + std::to_string(3 * bytes - 1) + ", expected " + std::to_string(3 * bytes) +
+                " (3 worlds x " + std::to_string(bytes) + "), or a single state of its own size");
 
   states[bytes + 100] ^= 1;
   EXPECT_EQ(failure([&] { rig.batch.load(nullptr, Span<const std::uint8_t>(states)); }),
             "world 1: state: it is damaged, its checksum is wrong");
-  EXPECT_EQ(saved(rig.batch.world(1)), state);
-  EXPECT_NE(saved(rig.batch.world(2)), state);
+  // All rows were checked before any world changed: the worlds before and after the damaged row have kept their states.
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(saved(rig.batch.world(i)), state);
 }
 
 TEST(Batch, HasTheMachinesThreads) {
