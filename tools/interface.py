@@ -47,7 +47,7 @@ def contents(recording):
 def keep_recording(made, kept):
     """Puts a new recording in the place of the kept one, unless it holds the same."""
     if kept.exists() and contents(made) == contents(kept):
-        print(f"{kept.relative_to(ROOT)} stays: a new recording holds the same")
+        print(f"{kept} stays: a new recording holds the same")
     else:
         shutil.copy(made, kept)
 

@@ -18,7 +18,7 @@ extern "C" {
 #define MIMO_CAMERA 5        /**< Cameras. */
 #define MIMO_ACTUATOR 6      /**< Motors. */
 #define MIMO_SENSOR 7        /**< MuJoCo's sensors. */
-#define MIMO_LIGHT 8         /**< Lights; the headlight is none of them. */
+#define MIMO_LIGHT 8         /**< Lights, without the headlight. */
 #define MIMO_CONTACT 9       /**< Contacts that the last physics step computed, or the reset. No names. */
 #define MIMO_STEP_CONTACT 10 /**< Pairs of geoms that touched during the last environment step; see below. No names. */
 #define MIMO_AGENT 11        /**< Agents, by their index. */
@@ -123,13 +123,13 @@ extern "C" {
  */
 #define MIMO_AGENT_FACE 0x0b01
 /**
- * Agent: what its task wants of it, and what is so far; how many numbers they are, and of what, depends on the task:
- * docs/tasks.md. None where a task has no such thing, as those of your own, which have fields.
+ * Agent: the numbers that its task wants to be reached; how many they are and what they mean depends on the task, see
+ * docs/tasks.md. No numbers for a task without a goal and for a custom task, which has fields instead.
  */
 #define MIMO_AGENT_GOAL 0x0b02
-#define MIMO_AGENT_ACHIEVED 0x0b03 /**< Agent: see MIMO_AGENT_GOAL. */
+#define MIMO_AGENT_ACHIEVED 0x0b03 /**< Agent: the same numbers as they are so far; see MIMO_AGENT_GOAL. */
 /**
- * Agent: 1, months, as mimo_growth says: of size and mass. None where the agent is no infant.
+ * Agent: 1, its age in months, for size and mass (mimo_growth). No number for an agent that is not an infant.
  */
 #define MIMO_AGENT_AGE 0x0b04
 
@@ -145,11 +145,11 @@ extern "C" {
  * Contacts within a step: physics goes in steps of mimo_env_timestep, several to an environment step, and MIMO_CONTACT
  * are those of the last one. A world with step_contacts in its config also keeps one MIMO_STEP_CONTACT for each pair of
  * geoms that touched in any of them (or in mimo_env_physics_step), in the order in which they met. A reset or a loaded
- * state takes them away. Without the switch, asking for them answers MIMO_E_UNSUPPORTED.
+ * state takes them away. Without the switch, functions that are asked for them return MIMO_E_UNSUPPORTED.
  *
  * A flex of MuJoCo 4 (cloth, ropes) is no geom: contacts give -1 in its place. Its body is the body of the vertex that
  * the contact is next to, or of the node where nodes move the vertices; a step contact keeps the first such body. Both
- * are -1 only where a host's mjData holds a contact of no thing.
+ * are -1 only if a host's mjData holds a contact without any geom or flex.
  */
 
 /** Number of elements of a kind (MIMO_BODY ...) in the world. */

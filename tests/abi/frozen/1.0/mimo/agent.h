@@ -100,7 +100,7 @@ typedef struct mimo_agent_config {
   const char *body;            /**< "mitten" (default) or "fingers" (five fingers, a big toe); with "-mirrored" appended
                                     the left side mirrors the right one. "scene": the body is in the scene's MJCF. */
   double position[3];          /**< Of the point selected by place, m, world frame; unused with _PLACE_SCENE. */
-  double orientation[4];       /**< Of the root body, w x y z; need not be normalised. */
+  double orientation[4];       /**< Of the root body, w x y z; need not be normalised; unused with _PLACE_SCENE. */
   uint32_t proprioception;     /**< MIMO_PROPRIOCEPTION_ bits; 0: no proprioception. Default, as the original: VELOCITY,
                                     TORQUE, LIMIT, ACTUATION and POSITION. */
   uint32_t vestibular;         /**< MIMO_VESTIBULAR_ bits; 0: no sense of balance. Default: ACCELERATION and
@@ -124,7 +124,7 @@ typedef struct mimo_agent_config {
   double touch_scale;          /**< Divides the distances between sensors, 0.001 to 1000: 2 gives 4 times as many.
                                     Default 1. */
   double touch_slip_threshold; /**< Slip below this is 0, since MuJoCo's friction creeps; m/s, >= 0. Default 0.005. */
-  const char *face;            /**< Its first face, see mimo_face_name; NULL: neutral. */
+  const char *face;            /**< The face that it starts with, see mimo_face_name; NULL: neutral. */
   const char *root;            /**< With body "scene": the body of the model that, with its children, is the agent;
                                     "world": the whole model. NULL: an infant. */
   const char *vestibular_at;   /**< Site or body whose motion the vestibular sense feels; NULL: the infant's head. */

@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-/** Many worlds. Its functions need exclusive use of it, as those of an environment; it manages its own threads. */
+/** Many worlds, with threads of their own. Several threads use it as any other handle, see mimo.h. */
 typedef struct mimo_batch mimo_batch;
 
 #define MIMO_AUTORESET_NONE 0 /**< Worlds continue after the end of an episode, until mimo_batch_reset. */
@@ -56,7 +56,7 @@ MIMO_API mimo_status mimo_batch_config_init(mimo_batch_config *config, size_t si
 
 /**
  * Compiles a scene, once for each age, and makes worlds of it; worlds of one age share its model. Until it is seeded,
- * world i has the random numbers of seed i.
+ * world i has the random numbers of seed i. Reset it before the first step, see mimo_env_create.
  * @param env_config   for all worlds; NULL means defaults. Messages of the worlds arrive on the caller's thread.
  * @param batch_config NULL means defaults.
  * Errors: as mimo_env_create; for a cohort as mimo_growth says, and MIMO_E_INVALID_ARGUMENT if it would make the
@@ -199,19 +199,25 @@ MIMO_API mimo_status mimo_batch_set(mimo_batch *batch, mimo_quantity quantity, c
 MIMO_API mimo_status mimo_batch_state_size(const mimo_batch *batch, size_t *bytes) MIMO_NOEXCEPT;
 
 /**
- * Saves the states of many worlds.
+ * Saves the states of many worlds. It needs the batch for itself, though it changes no world: its threads do the work,
+ * and mimo_batch_world_error tells of this call afterwards.
  * @param states worlds x mimo_batch_state_size bytes; a state that is shorter is followed by zeros.
+ * Errors: MIMO_E_SIMULATION if a world has failed; its row is not written, all others are.
  */
 MIMO_API mimo_status mimo_batch_state_save(mimo_batch *batch, const uint8_t *mask, size_t worlds, void *states,
                                            size_t state_bytes) MIMO_NOEXCEPT;
 
 /**
- * Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load.
- * @param states rows of equal length, one per world, each a state followed by zeros; or a single state without zeros,
- *               which all worlds load.
- * @param report receives the report of the world with the most fresh memories; may be NULL.
- * Errors: as mimo_env_state_load, of the first world that did not load its state; others have. If the bytes hold
- *         anything other than such states, no world has changed.
+ * Loads states into many worlds, from this batch or from other worlds of the same model, as mimo_env_state_load. All
+ * rows are checked before any world changes: either all worlds load their states, or none does.
+ * @param states      rows of equal length, one per world, each a state followed by zeros; or a single state without
+ *                    zeros, which all worlds load.
+ * @param state_bytes worlds x mimo_batch_state_size for states of this batch; the rows of other states may have another
+ *                    length. For a single state its own size.
+ * @param report      receives the report of the world with the most fresh memories; may be NULL.
+ * Errors: as mimo_env_state_load, of the first world whose state is refused, for example because its row is damaged;
+ *         mimo_batch_world_error tells which others are. No world has changed then. Rows that a mask leaves out are not
+ *         read.
  */
 MIMO_API mimo_status mimo_batch_state_load(mimo_batch *batch, const uint8_t *mask, size_t worlds, const void *states,
                                            size_t state_bytes, mimo_load_report *report) MIMO_NOEXCEPT;

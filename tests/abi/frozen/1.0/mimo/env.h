@@ -50,20 +50,29 @@ typedef struct mimo_env_config {
 MIMO_API mimo_status mimo_env_config_init(mimo_env_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Compiles a scene and makes a world in its initial state. Reset it before the first step: only a reset lets the task
- * prepare an episode.
+ * Compiles a scene and makes a world at the scene's stored state, at time 0, with the random numbers of seed 0. Reset
+ * it before the first step: only a reset lets the task prepare an episode. A step before the first reset is accepted;
+ * it starts from the scene's stored state, where the task has prepared nothing and drawn no goal.
  * Note: MuJoCo's XML loader calls srand(123), the only process state that changes.
  * @param scene  is not needed afterwards.
  * @param config NULL means defaults.
- * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for a task
- *         other than "none" in a scene without agents (a built-in scene with neither logs a message);
- *         MIMO_E_UNSUPPORTED if vision is on and no renderer works on this machine, if the program's C++ locale has a
- *         decimal comma, or if another version of MuJoCo is in the program's global scope.
+ * Errors: MIMO_E_MODEL with file and line; MIMO_E_NOT_FOUND for an unknown task; MIMO_E_INVALID_ARGUMENT for a scene
+ *         without agents, unless its task is "none" (a built-in scene then logs a message that mimo_scene_add_agents
+ *         would add its infants); MIMO_E_UNSUPPORTED if vision is on and no renderer works on this machine, if the
+ *         program's C++ locale has a decimal comma, or if another version of MuJoCo is in the program's global scope.
  */
 MIMO_API mimo_status mimo_env_create(const mimo_scene *scene, const mimo_env_config *config,
                                      mimo_env **env) MIMO_NOEXCEPT;
 
-/** Makes a world of a built-in scene with its infants (mimo_scene_add_agents) and task, in one call. */
+/**
+ * Makes a world of a built-in scene with its infants and task, all with defaults, in one call. Where something is to be
+ * set, the same in steps: mimo_scene_config_init, the scene's name, mimo_scene_create; mimo_scene_default_agent,
+ * mimo_scene_add_agents; mimo_env_config_init, mimo_env_create; mimo_scene_destroy. docs/guide/first-program.md has it
+ * as a program.
+ * @param scene_name see mimo_scene_name.
+ * @param env        receives the handle; destroy it with mimo_env_destroy.
+ * Errors: MIMO_E_NOT_FOUND for an unknown scene; the others as mimo_env_create.
+ */
 MIMO_API mimo_status mimo_env_make(const char *scene_name, mimo_env **env) MIMO_NOEXCEPT;
 
 /** Destroys a world. NULL and destroyed handles are ignored. */
@@ -86,7 +95,7 @@ MIMO_API mimo_status mimo_env_layout(const mimo_env *env, const mimo_layout **la
 /** Name of the task. The environment owns the string, until a reset to another age. */
 MIMO_API mimo_status mimo_env_task(const mimo_env *env, const char **name) MIMO_NOEXCEPT;
 
-/** Physics steps per environment step. */
+/** Physics steps per environment step: frame_skip of the config, or the scene's. */
 MIMO_API mimo_status mimo_env_frame_skip(const mimo_env *env, uint32_t *frame_skip) MIMO_NOEXCEPT;
 
 /** Describes the index-th agent. Set info->struct_size first. */
@@ -112,7 +121,8 @@ typedef struct mimo_reset_config {
  * survive resets are as in a new world, because they belonged to the previous body. A world, its clones and a batch
  * compile each age once; they keep the last 8 and all that are in use.
  * @param config NULL: the random numbers continue.
- * @param block  receives the observation, as from mimo_env_observe; may be NULL with block_bytes 0.
+ * @param block  receives the observation, as from mimo_env_observe: at least block_bytes of mimo_layout_info; NULL with
+ *               block_bytes 0 skips the senses.
  * Errors: for a growth as mimo_growth says, and MIMO_E_INVALID_ARGUMENT if it changes the shape of the observation
  *         (keep_spacing); MIMO_E_TASK if a custom task fails: with another age nothing has changed, otherwise the world
  *         is at the scene's stored state as far as the task has prepared it.
@@ -140,10 +150,12 @@ typedef struct mimo_env_results {
 /**
  * Simulates one step: sets the motors, runs frame_skip physics steps, senses, computes rewards. After the end of an
  * episode the world simply continues: truncated stays 1 until a reset, terminated follows the task in each step.
- * @param action  all agents' actions, clipped to their bounds; NULL with action_count 0 leaves the controls unchanged
- *                (0 after a reset, or as set by mimo_env_set).
- * @param block   receives the observation, every byte of it; NULL with block_bytes 0 skips the senses.
- * @param results may be NULL.
+ * @param action       all agents' actions, clipped to their bounds (mimo_layout_action); NULL with action_count 0
+ *                     leaves the controls unchanged (0 after a reset, or as set by mimo_env_set).
+ * @param action_count actions of mimo_layout_info, or 0.
+ * @param block        receives the observation, every byte of it: at least block_bytes of mimo_layout_info; NULL with
+ *                     block_bytes 0 skips the senses.
+ * @param results      may be NULL.
  * Errors: MIMO_E_INVALID_ARGUMENT for a NaN in action, or an infinite one without bounds: nothing happens.
  *         MIMO_E_SIMULATION if the physics fails or diverges: block and results are unspecified. The world can then be
  *         read (names, values, sizes), and values that survive resets can be written; every function that simulates,
@@ -173,10 +185,10 @@ MIMO_API mimo_status mimo_env_observe(mimo_env *env, void *block, size_t block_b
  */
 MIMO_API mimo_status mimo_env_physics_step(mimo_env *env, size_t count) MIMO_NOEXCEPT;
 
-/** Simulated seconds since reset. */
+/** Simulated seconds since the last reset. */
 MIMO_API mimo_status mimo_env_time(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
 
-/** Length of one physics step, seconds. */
+/** Length of one physics step, seconds. One environment step takes step_seconds of mimo_layout_info. */
 MIMO_API mimo_status mimo_env_timestep(const mimo_env *env, double *seconds) MIMO_NOEXCEPT;
 
 #ifdef __cplusplus

@@ -40,6 +40,11 @@ MIMO_API mimo_status mimo_convert_directions(int32_t axes, float *directions, si
 /**
  * Converts poses in place, for example of single bodies: mimo_env_get_float and mimo_batch_get_float read them
  * (MIMO_BODY_POSE, with MIMO_NOW the current ones). Like mimo_env_poses for all elements of a kind.
+ *
+ * The axes of the bodies are converted as well as those of the world: a body that is not turned in one frame is not
+ * turned in any. So what lies in a body's frame (a mesh, the places of its sensors) needs the same conversion. The
+ * quaternion keeps its sign and its length: w stays the same number, and q and -q, which are the same rotation, stay
+ * apart; for a pose between two others, negate one quaternion if their dot product is negative.
  * @param poses seven numbers each: position and quaternion w x y z in libmimo's frame; the converted quaternion has the
  *              order of the frame.
  */
@@ -77,7 +82,7 @@ typedef struct mimo_mesh {
   size_t index_count;     /**< Out. */
 } mimo_mesh;
 
-/** Fills a mesh with defaults: no arrays. */
+/** Fills a mesh with defaults: no arrays, libmimo's frame. */
 MIMO_API mimo_status mimo_mesh_init(mimo_mesh *mesh, size_t size) MIMO_NOEXCEPT;
 
 /**

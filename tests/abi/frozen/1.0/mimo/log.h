@@ -16,7 +16,7 @@ extern "C" {
 
 /** A message, valid until the function that receives it returns. */
 typedef struct mimo_log_record {
-  uint32_t struct_size; /**< Of the library's struct. 256 bytes are there, zero beyond it. */
+  uint32_t struct_size; /**< Size in the library. 256 bytes are readable, zero beyond it. */
   int32_t level;        /**< MIMO_LOG_WARNING or MIMO_LOG_INFO. */
   int32_t code;         /**< A MIMO_WARNING_ constant for a warning of the physics, else 0. */
   uint32_t in_world;    /**< 1: a world's physics warns; 0: the message comes from a scene, a model or a renderer. */

@@ -25,7 +25,8 @@ typedef struct mimo_picture_config {
   double distance;      /**< Free camera: its distance from that point, m, > 0. */
   double azimuth;       /**< Free camera: degrees; 0 looks along +x, 90 along +y. */
   double elevation;     /**< Free camera: degrees; negative looks down. */
-  double fovy;          /**< Vertical field of view, degrees; 0: the camera's own. */
+  double fovy;          /**< Vertical field of view, degrees, 1 to 170; 0: the camera's own, for the
+                             free camera the model's. */
   double foveation;     /**< As vision_foveation of mimo_agent_config, for colour and projected points. Default 0. */
 } mimo_picture_config;
 

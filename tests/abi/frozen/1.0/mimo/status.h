@@ -51,7 +51,7 @@ typedef int32_t mimo_quantity;
 #define MIMO_E_OUT_OF_MEMORY -10   /**< An allocation failed. */
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
-#define MIMO_E_FILE -13            /**< A file cannot be written, or a file or state is damaged or something else. */
+#define MIMO_E_FILE -13            /**< A file cannot be written; a file or state is damaged, or is none. */
 #define MIMO_E_TASK -14            /**< A custom task failed or returned invalid values; see mimo_env_step. */
 #define MIMO_E_BUSY -15            /**< Not now: another thread uses the handle, or another call has to come first. */
 #define MIMO_E_MISMATCH -16        /**< A state or recording is of another model, age, task or kind of agents. */
@@ -93,7 +93,7 @@ MIMO_API const char *mimo_last_error(void) MIMO_NOEXCEPT;
  * threads (Go, Node), where mimo_last_error may belong to another call. Functions that make a handle out of a scene
  * (mimo_env_create) keep their message with the scene. mimo_scene_create and mimo_env_make have no handle: call them
  * and mimo_last_error on one thread.
- * @param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder or mimo_recording.
+ * @param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_layout, mimo_recorder or mimo_recording.
  * @param text     receives the message, zero-terminated, "" if no call has failed yet; NULL with capacity 0 asks only
  *                 for its length.
  * @param capacity 1024 bytes are enough for any message.
