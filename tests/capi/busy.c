@@ -6,7 +6,7 @@
 
 #include "support/capi.h"
 
-enum { TRIES = 400, STEPS = 60, MOST = 400 };
+enum { TRIES = 100000, STEPS = 60, MOST = 400 };
 
 static void sleep_ms(long ms) {
   const struct timespec time = {0, ms * 1000000};
@@ -21,33 +21,40 @@ static void set(int* flag, int value) {
   pthread_mutex_unlock(&lock);
 }
 
+static int get(const int* flag) {
+  int value;
+  pthread_mutex_lock(&lock);
+  value = *flag;
+  pthread_mutex_unlock(&lock);
+  return value;
+}
+
 static void await(const int* flag) {
-  int there = 0;
-  while (!there) {
-    pthread_mutex_lock(&lock);
-    there = *flag;
-    pthread_mutex_unlock(&lock);
-    if (!there) sleep_ms(1);
-  }
+  while (!get(flag)) sleep_ms(1);
 }
 
 /* ---- Hammering: whichever calls of two threads come through, they come through whole. */
 
 typedef struct hammer {
   mimo_env* env;
+  int* met; /* whether a call was told that the other thread is at work */
   int done, busy, other;
 } hammer;
 
+/* Steps until both threads have met, however late the system starts one of them. */
 static void* step_often(void* argument) {
   hammer* it = argument;
   int i;
-  for (i = 0; i < TRIES && it->done < STEPS; ++i) {
+  for (i = 0; i < TRIES && (it->done < STEPS || !get(it->met)); ++i) {
     const mimo_status status = mimo_env_step(it->env, NULL, 0, NULL, 0, NULL);
     it->done += status == MIMO_OK;
     it->busy += status == MIMO_E_BUSY;
     it->other += status != MIMO_OK && status != MIMO_E_BUSY;
     if (status == MIMO_E_BUSY && strstr(mimo_last_error(), "env is in use by another thread") == NULL) ++it->other;
-    if (status == MIMO_E_BUSY) sleep_ms(1);
+    if (status == MIMO_E_BUSY) {
+      set(it->met, 1);
+      sleep_ms(1);
+    }
   }
   return NULL;
 }
@@ -55,7 +62,8 @@ static void* step_often(void* argument) {
 static void check_hammering(void) {
   static double state[MOST], expected[MOST];
   mimo_env *env = blind_env("free", NULL), *alone = blind_env("free", NULL);
-  hammer one = {env, 0, 0, 0}, two = {env, 0, 0, 0};
+  int met = 0;
+  hammer one = {env, &met, 0, 0, 0}, two = {env, &met, 0, 0, 0};
   pthread_t thread;
   size_t count = 0;
   double time = 0, expected_time = 0;

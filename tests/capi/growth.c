@@ -283,7 +283,7 @@ static void sensors_keep_their_number_or_spacing(void) {
   CHECK(field_of(newborn, "touch/force").receptors == sensors);
   growth.keep_spacing = 1;
   apart = env_of("free", "mitten", &growth);
-  CHECK(field_of(apart, "touch/force").receptors < 0.7 * (double)sensors);
+  CHECK((double)field_of(apart, "touch/force").receptors < 0.7 * (double)sensors);
   mimo_env_destroy(env);
   mimo_env_destroy(newborn);
   mimo_env_destroy(apart);
