@@ -30,6 +30,7 @@ function number = mimo_scene_add(scene, what, varargin)
 %     'temperature'  celsius, of body and its children
 %     'material'   name (mimo_names('material')): the material of body and its children
 %     'parameter'  name, value (mimo_parameters)
+%     'sense'      path of a shared library with a sense of your own, whose code runs: load only what you trust; agent
 %   agent is an agent's number, 1 by default. number is 0 for things without a number.
 number = mimo_mex('scene_add', scene, char(what), varargin{:});
 end

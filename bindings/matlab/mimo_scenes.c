@@ -236,6 +236,14 @@ static double add_material(mimo_scene* scene, properties* given) {
   return 0;
 }
 
+static double add_sense(mimo_scene* scene, properties* given) {
+  const size_t agent = take_agent(given);
+  const char* path = mimo_take_text(given, "path");
+  mimo_no_more(given, "a sense");
+  mimo_check(mimo_scene_load_sense(scene, agent, path));
+  return 0;
+}
+
 static const struct thing {
   const char* name;
   adder add;
@@ -262,6 +270,7 @@ static const struct thing {
     {"room_temperature", add_room_temperature},
     {"temperature", add_temperature},
     {"material", add_material},
+    {"sense", add_sense},
 };
 
 /* number = scene_add(scene, what, name, value, ...) */

@@ -13,6 +13,7 @@
  *     looks.h        materials, textures and lights for engines that draw the world themselves
  *     engine.h       options of solver and renderer, warnings of the physics, timing
  *     recording.h    runs recorded to files and replayed
+ *     sense.h        senses of your own
  */
 #ifndef MIMO_EXPERIMENTAL_H
 #define MIMO_EXPERIMENTAL_H
@@ -30,6 +31,7 @@
 #include "experimental/looks.h"
 #include "experimental/engine.h"
 #include "experimental/recording.h"
+#include "experimental/sense.h"
 /* clang-format on */
 
 #endif

@@ -29,6 +29,7 @@
 #include "hpp/recording.hpp"
 #include "hpp/results.hpp"
 #include "hpp/scene.hpp"
+#include "hpp/sense.hpp"
 #include "hpp/senses.hpp"
 #include "hpp/task.hpp"
 

@@ -164,6 +164,57 @@ void Agents::set_touch(std::size_t agent, double spacing) {
   touch.everywhere = spacing;
 }
 
+void Agents::add_sense(std::size_t agent, const env::OwnSense& sense) {
+  env::AgentOptions& options = at(agent);
+  for (const env::OwnSense& other : options.own_senses) {
+    require(other.name != sense.name, "name: agent {} has a sense \"{}\" already", agent, sense.name);
+  }
+  env::OwnSense own = sense;
+  for (env::OwnSense::Parameter& parameter : own.parameters) {
+    parameter.name = options.prefix() + own.name + "/" + parameter.name;
+    for (const tasks::Parameter* other : tasks::parameters()) {
+      require(parameter.name != other->name, "a task has a parameter \"{}\" already", other->name);
+    }
+  }
+  options.own_senses.push_back(std::move(own));
+}
+
+std::vector<const env::OwnSense::Parameter*> Agents::sense_parameters() const {
+  std::vector<const env::OwnSense::Parameter*> all;
+  for (const env::AgentOptions& agent : agents_) {
+    for (const env::OwnSense& sense : agent.own_senses) {
+      for (const env::OwnSense::Parameter& parameter : sense.parameters) all.push_back(&parameter);
+    }
+  }
+  return all;
+}
+
+const double* Agents::sense_parameter(const std::string& name) const {
+  for (const env::AgentOptions& agent : agents_) {
+    for (const env::OwnSense& sense : agent.own_senses) {
+      for (std::size_t i = 0; i < sense.parameters.size(); ++i) {
+        if (sense.parameters[i].name == name) return &sense.values[i];
+      }
+    }
+  }
+  return nullptr;
+}
+
+bool Agents::set_sense_parameter(const std::string& name, double value) {
+  for (env::AgentOptions& agent : agents_) {
+    for (env::OwnSense& sense : agent.own_senses) {
+      for (std::size_t i = 0; i < sense.parameters.size(); ++i) {
+        const env::OwnSense::Parameter& known = sense.parameters[i];
+        if (known.name != name) continue;
+        require_between(value, known.low, known.high, name.c_str());
+        sense.values[i] = value;
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 void Cameras::add(const CameraPlan& plan, scene::Scene& scene) {
   require(plan.options.vision.wanted != 0, "outputs is 0, expected at least one of the MIMO_VISION_ bits");
   for (const env::CameraOptions& other : cameras_) {

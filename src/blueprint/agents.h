@@ -55,6 +55,13 @@ class Agents {
   // How dense its skin is on a body of its own, or everywhere.
   void set_touch(std::size_t agent, const std::string& body, double spacing, const scene::Scene& scene);
   void set_touch(std::size_t agent, double spacing);
+  // A sense of the user's own, whose parameters have their names within it.
+  void add_sense(std::size_t agent, const env::OwnSense& sense);
+  // The parameters of all senses of the user's own.
+  std::vector<const env::OwnSense::Parameter*> sense_parameters() const;
+  // Null and false where there is no such parameter. Setting throws for a value out of range.
+  const double* sense_parameter(const std::string& name) const;
+  bool set_sense_parameter(const std::string& name, double value);
 
  private:
   env::AgentOptions& at(std::size_t agent);

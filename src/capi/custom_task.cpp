@@ -6,26 +6,19 @@
 
 #include "base/fail.h"
 #include "base/format.h"
-#include "base/processor.h"
 #include "capi/calls.h"
 #include "capi/check.h"
 #include "capi/handed.h"
 #include "capi/objects.h"
+#include "capi/own_code.h"
 #include "capi/structs.h"
 #include "capi/use.h"
 
 namespace mimo::capi {
 namespace {
 
-constexpr std::size_t kMostParts = 1000;     // terms, and fields: beyond this it is a count that was never set
 constexpr std::size_t kMostBytes = 1048576;  // of memory, and of fields, so that states stay small
 constexpr std::size_t kMostValues = kMostBytes / sizeof(float);
-
-template <typename T>
-Span<T> parts(T* data, std::size_t count, const char* argument) {
-  require(count <= kMostParts, "{} has a length of {}, expected up to {}", argument, count, kMostParts);
-  return array(data, count, argument);
-}
 
 std::vector<std::string> terms_of(const mimo_task& task) {
   std::vector<std::string> terms;
@@ -38,27 +31,12 @@ std::vector<std::string> terms_of(const mimo_task& task) {
   return terms;
 }
 
-std::vector<std::size_t> shape_of(const mimo_task_field& field, const std::string& argument) {
-  require(field.ndim <= 4, "{}: ndim is {}, expected up to 4", argument, field.ndim);
-  if (field.ndim == 0) return {1};
-  const Span<const std::size_t> sizes = array(field.shape, field.ndim, (argument + ": shape").c_str());
-  std::size_t count = 1;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    require(sizes[i] >= 1 && sizes[i] <= kMostValues, "{}: shape[{}] is {}, expected 1 to {}", argument, i, sizes[i],
-            kMostValues);
-    count *= sizes[i];
-    require(count <= kMostValues, "{}: it has more than {} numbers", argument, kMostValues);
-  }
-  return {sizes.begin(), sizes.end()};
-}
-
 observation::Field field_of(const mimo_task_field& field, const std::string& argument) {
   observation::Field ours;
   ours.name = text(field.name);
   require(!ours.name.empty(), "{}: name is {}, expected one", argument, field.name == nullptr ? "NULL" : "\"\"");
-  require(ours.name.front() != '/' && ours.name.back() != '/', "{}: name is \"{}\", expected no / at its ends",
-          argument, ours.name);
-  ours.shape = shape_of(field, argument);
+  check_path(ours.name, argument);
+  ours.shape = shape_of(field.shape, field.ndim, kMostValues, argument);
   ours.unit = text(field.unit);
   ours.frame = text(field.frame);
   require(field.low < field.high, "{}: low is {} and high is {}, expected low < high", argument, field.low, field.high);
@@ -68,50 +46,17 @@ observation::Field field_of(const mimo_task_field& field, const std::string& arg
   return ours;
 }
 
-// A newer caller's fields are longer than ours: each says where the next one begins.
 std::vector<observation::Field> fields_of(const mimo_task& task) {
   std::vector<observation::Field> fields;
-  const auto* next =
-      reinterpret_cast<const unsigned char*>(parts(task.fields, task.field_count, "task: fields").data());
-  for (std::size_t i = 0; i < task.field_count; ++i) {
-    const auto* theirs = reinterpret_cast<const mimo_task_field*>(next);
-    const std::string argument = format("task: fields[{}]", i);
-    const mimo_task_field ours = read_struct(theirs, argument.c_str());
-    require(theirs->struct_size % alignof(mimo_task_field) == 0, "{}: struct_size is {}, expected a multiple of {}",
-            argument, theirs->struct_size, alignof(mimo_task_field));
-    next += theirs->struct_size;
-    observation::Field field = field_of(ours, argument);
-    for (const observation::Field& other : fields) {
-      require(other.name != field.name, "task: there are two fields \"{}\"", field.name);
-    }
-    fields.push_back(std::move(field));
-  }
+  for_each_of(task.fields, task.field_count, "task: fields",
+              [&](const mimo_task_field& theirs, const std::string& argument) {
+                observation::Field field = field_of(theirs, argument);
+                for (const observation::Field& other : fields) {
+                  require(other.name != field.name, "task: there are two fields \"{}\"", field.name);
+                }
+                fields.push_back(std::move(field));
+              });
   return fields;
-}
-
-// Quotes what the function said by mimo_fail, or what the call complained about whose status it returns. The status is
-// not handed on: most say that nothing has happened, and the step has.
-void check(mimo_status status, const char* function) {
-  if (status == MIMO_OK) return;
-  const char* why = last_error().status == status ? last_error().text.data() : "";
-  fail(Status::kTask, "the task's function {} returned {} ({}){}{}", function, status, mimo_status_name(status),
-       *why == '\0' ? "" : ": ", why);
-}
-
-// A C++ program may let exceptions out of its functions.
-template <typename Call>
-void call_out(const char* function, Call&& call) {
-  const FreshError of_its_own;
-  const PlainFloats plain;  // what it changes of how this thread calculates ends with it
-  try {
-    check(call(), function);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    fail(Status::kTask, "the task's function {} threw an exception: {}", function, error.what());
-  } catch (...) {
-    fail(Status::kTask, "the task's function {} threw an unknown exception", function);
-  }
 }
 
 env::CustomTask maker(std::shared_ptr<const TaskPlan> plan) {
@@ -208,7 +153,7 @@ void CustomTask::tell(mimo_task_moment& moment) {
 template <typename Call>
 void CustomTask::ask(const char* function, Call&& call) {
   new_fields_ = fields_;
-  call_out(function, call);
+  call_out("the task", function, call);
   check_fields(function);
 }
 

@@ -3,6 +3,7 @@
 #include "capi/configs.h"
 #include "capi/handed.h"
 #include "capi/objects.h"
+#include "capi/own_sense.h"
 #include "capi/structs.h"
 #include "capi/use.h"
 
@@ -87,6 +88,23 @@ EnvObject::EnvObject(const EnvObject& original)
     : owned(std::make_unique<blueprint::AgingWorld>(original.aging(), identity())),
       own_layout(capi::own_layout(owned->description())),
       layout(own_layout.get()) {}
+
+EnvObject::EnvObject(RunningSense& running)
+    : own_layout(capi::own_layout(running.before())),
+      layout(own_layout.get()),
+      sense(&running),
+      seen(const_cast<env::World*>(&running.world())) {}
+
+blueprint::AgingWorld& EnvObject::aging() const {
+  require_changeable(this);
+  return batch == nullptr ? *owned : batch->aging(number);
+}
+
+void require_access(const EnvObject& env) {
+  if (env.batch != nullptr) env.batch->require_access(env.number);
+  if (env.sense == nullptr || env.sense->is_at_work()) return;
+  fail(Status::kBusy, "env was lent to a function of a sense, which has returned");
+}
 
 namespace {
 

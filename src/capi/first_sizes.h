@@ -40,3 +40,7 @@ MIMO_FIRST_SIZE(mimo_timing, 72);
 MIMO_FIRST_SIZE(mimo_recorder_config, 64);
 MIMO_FIRST_SIZE(mimo_recording_info, 112);
 MIMO_FIRST_SIZE(mimo_replay_report, 48);
+MIMO_FIRST_SIZE(mimo_sense_moment, 104);
+MIMO_FIRST_SIZE(mimo_sense_needs, 24);
+MIMO_FIRST_SIZE(mimo_sense, 104);
+MIMO_FIRST_SIZE(mimo_sense_field, 112);

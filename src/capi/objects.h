@@ -1,6 +1,7 @@
 // What the public handles stand for.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "blueprint/blueprint.h"
 #include "capi/handle.h"
 #include "capi/results.h"
+#include "capi/sense_plan.h"
 #include "env/attached.h"
 #include "env/description.h"
 #include "env/world.h"
@@ -19,6 +21,8 @@
 #include "recording/recording.h"
 
 namespace mimo::capi {
+
+class RunningSense;
 
 struct SceneObject {
   blueprint::Blueprint blueprint;
@@ -37,15 +41,17 @@ OwnLayout own_layout(const env::LiveDescription& description);
 
 struct BatchObject;
 
-// A world of its own, or the view of one in a batch, which answers with the batch's layout.
+// A world of its own; the view of one in a batch, which answers with the batch's layout; or what functions of a sense
+// see of one, which changes nothing.
 struct EnvObject {
   EnvObject(blueprint::WorldsByAgePtr worlds, env::CompiledWorldPtr compiled);
   // In the state that another world is in.
   explicit EnvObject(const EnvObject& original);
   EnvObject(BatchObject& all, std::size_t which);
+  explicit EnvObject(RunningSense& running);
 
-  blueprint::AgingWorld& aging() const { return batch == nullptr ? *owned : batch->aging(number); }
-  env::World& world() const { return aging().world(); }  // until a reset to another age
+  blueprint::AgingWorld& aging() const;
+  env::World& world() const { return seen == nullptr ? aging().world() : *seen; }  // until a reset to another age
 
   mimo_env* handle = nullptr;
   // Of a world of its own.
@@ -58,6 +64,9 @@ struct EnvObject {
   std::size_t number = 0;
   env::LoadReport loaded;
   bool task_is_missing = false;  // of a recording that had the user's own
+  // Of what a sense sees.
+  RunningSense* sense = nullptr;
+  env::World* seen = nullptr;  // to be read
 
  private:
   env::Identity identity() const { return {0, 0, &handle}; }  // for tasks of the user's own
@@ -111,19 +120,21 @@ struct RecorderObject {
   std::shared_ptr<recording::Recorder> recorder;  // which its world has as well
 };
 
+// Senses of the user's own by their names.
+using Senses = std::map<std::string, std::shared_ptr<SensePlan>>;
+
 struct RecordingObject {
   RecordingObject(const std::string& path, std::string here)
       : recording(std::make_shared<recording::Recording>(path)), build(std::move(here)) {}
 
+  Senses senses;                                    // of the user's own, that the host has brought along
   std::shared_ptr<recording::Recording> recording;  // worlds made of it share it
   std::string build;                                // of this library
 };
 
 // Throws if no caller can use the handle now.
 inline void require_access(const SceneObject&) {}
-inline void require_access(const EnvObject& env) {
-  if (env.batch != nullptr) env.batch->require_access(env.number);
-}
+void require_access(const EnvObject& env);
 inline void require_access(const BatchObject&) {}  // the batch itself knows which calls it takes
 inline void require_access(const SensesObject&) {}
 inline void require_access(const RecorderObject&) {}
@@ -142,6 +153,13 @@ inline bool is_at_work_for(const BatchObject* object) {
 inline const void* whole_of(const void*) { return nullptr; }
 inline const mimo_batch* whole_of(const EnvObject* env) {
   return env->batch == nullptr || env->batch->is_at(env->number) ? nullptr : env->whole->handle;
+}
+
+// Throws for what nobody may change.
+inline void require_changeable(const void*) {}
+inline void require_changeable(const EnvObject* env) {
+  if (env == nullptr || env->sense == nullptr) return;
+  fail(Status::kBusy, "env is lent to a function of a sense, which may only read the world");
 }
 
 // Whether a function that a call runs may use the handle of that call as if it had it to itself.
@@ -200,7 +218,9 @@ blueprint::WorldsByAgePtr worlds_of(const blueprint::Blueprint& blueprint, const
 
 // The world of a recording, made of the calls that the file keeps.
 
-std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Recording>& recording,
-                                         const mimo_env_config* config, const mimo_agent_config* senses);
+std::unique_ptr<EnvObject> make_recorded(const RecordingObject& recording, const mimo_env_config* config,
+                                         const mimo_agent_config* senses);
+// Throws where its world had no such sense of the user's own.
+void check_recorded_sense(const recording::Recording& recording, const std::string& name);
 
 }  // namespace mimo::capi

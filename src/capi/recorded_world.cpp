@@ -128,9 +128,10 @@ void change_senses(mimo_agent_config& config, const mimo_agent_config& wanted) {
 // A scene, on which the calls of a recording are made again.
 class RecordedScene {
  public:
-  RecordedScene(const scene::Source& source, const std::optional<mimo_agent_config>& senses)
+  RecordedScene(const scene::Source& source, const std::optional<mimo_agent_config>& senses, const Senses& own)
       : scene_(wrap<mimo_scene>(std::make_unique<SceneObject>(SceneObject{blueprint::Blueprint(source)}))),
-        senses_(senses) {
+        senses_(senses),
+        own_senses_(own) {
     check(mimo_env_config_init(&config_, sizeof config_));
   }
   ~RecordedScene() { mimo_scene_destroy(scene_); }
@@ -213,6 +214,17 @@ class RecordedScene {
     config.element_count = elements.size();
     check(mimo_scene_add_field(scene_, &config));
   }
+  // A file loads no code: the host brings it along.
+  void add_sense(Arguments& given) {
+    const std::string name = text(given.text("sense")), path = text(given.text("path"));
+    const auto found = own_senses_.find(name);
+    if (found == own_senses_.end()) {
+      fail(Status::kUnsupported,
+           "the recording needs the sense \"{}\"{}: mimo_recording_add_sense or mimo_recording_load_sense gives it",
+           name, path.empty() ? "" : " (of " + path + ")");
+    }
+    add_recorded_sense(scene_, given.number<std::size_t>("agent"), found->second);
+  }
   void set_room_temperature(Arguments& given) {
     check(mimo_scene_set_room_temperature(scene_, given.number<double>("celsius")));
   }
@@ -279,6 +291,7 @@ class RecordedScene {
 
   mimo_scene* scene_;
   std::optional<mimo_agent_config> senses_;
+  const Senses& own_senses_;
   mimo_env_config config_{};
   std::string renderer_ = "auto", task_;
   bool has_own_task_ = false, forgives_limits_ = false;
@@ -289,6 +302,7 @@ const std::pair<const char*, RecordedScene::Make> RecordedScene::kCalls[] = {
     {"add_agents", &RecordedScene::add_agents},
     {"add_camera", &RecordedScene::add_camera},
     {"add_field", &RecordedScene::add_field},
+    {"add_sense", &RecordedScene::add_sense},
     {"direct_source", &RecordedScene::direct_source},
     {"env_create", &RecordedScene::env_create},
     {"forgive_limits", &RecordedScene::forgive_limits},
@@ -347,12 +361,12 @@ mimo_env_config chosen(const RecordedScene& scene, const std::optional<mimo_env_
   return own;
 }
 
-std::unique_ptr<EnvObject> make(const std::shared_ptr<recording::Recording>& recording,
-                                const std::optional<mimo_env_config>& given,
+std::unique_ptr<EnvObject> make(const RecordingObject& object, const std::optional<mimo_env_config>& given,
                                 const std::optional<mimo_agent_config>& wanted) {
+  const std::shared_ptr<recording::Recording>& recording = object.recording;
   scene::Source source = recording->scene();
   if (given) source.log = log_sink(given->log, given->log_user);
-  RecordedScene scene(source, wanted);
+  RecordedScene scene(source, wanted, object.senses);
   for (const ReadJson& call : calls_of(*recording)) scene.call(call);
   const mimo_env_config ours = chosen(scene, given);
   const recording::Growths ages = recording->growths();
@@ -375,9 +389,9 @@ std::unique_ptr<EnvObject> make(const std::shared_ptr<recording::Recording>& rec
   };
   blueprint::WorldsByAgePtr worlds = worlds_of(scene.blueprint(), ours, described_at);
   env::CompiledWorldPtr compiled = worlds->as_described({}, source.log);
-  auto object = std::make_unique<EnvObject>(std::move(worlds), std::move(compiled));
-  object->task_is_missing = scene.has_own_task() && object->world().task_name() == "custom";
-  return object;
+  auto env = std::make_unique<EnvObject>(std::move(worlds), std::move(compiled));
+  env->task_is_missing = scene.has_own_task() && env->world().task_name() == "custom";
+  return env;
 }
 
 // Whether a call was given what it cannot take.
@@ -385,7 +399,7 @@ bool refuses(const Error& error) {
   return error.status() == Status::kInvalidArgument || error.status() == Status::kNotFound;
 }
 
-void require_whole(const std::shared_ptr<recording::Recording>& recording) {
+void require_whole(const RecordingObject& recording) {
   try {
     make(recording, {}, {});
   } catch (const Error& error) {
@@ -395,8 +409,19 @@ void require_whole(const std::shared_ptr<recording::Recording>& recording) {
 
 }  // namespace
 
-std::unique_ptr<EnvObject> make_recorded(const std::shared_ptr<recording::Recording>& recording,
-                                         const mimo_env_config* config, const mimo_agent_config* senses) {
+void check_recorded_sense(const recording::Recording& recording, const std::string& name) {
+  std::vector<std::string> names;
+  for (const ReadJson& call : calls_of(recording)) {
+    Arguments given(call);
+    if (text(given.text("call")) != "add_sense") continue;
+    names.push_back(text(given.text("sense")));
+    if (names.back() == name) return;
+  }
+  fail(Status::kNotFound, "the recording has no sense \"{}\" of its own; it has: {}", name, some_of(std::move(names)));
+}
+
+std::unique_ptr<EnvObject> make_recorded(const RecordingObject& recording, const mimo_env_config* config,
+                                         const mimo_agent_config* senses) {
   std::optional<mimo_agent_config> wanted;
   if (senses != nullptr) wanted = read_struct(senses, default_agent_config(), "senses");
   std::optional<mimo_env_config> given;

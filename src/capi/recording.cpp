@@ -123,7 +123,7 @@ mimo_status mimo_recording_env(const mimo_recording* recording, const mimo_env_c
                                const mimo_agent_config* senses, mimo_env** env) noexcept {
   return guard(recording, [&] {
     mimo_env*& result = out(env, "env");
-    result = wrap_env(make_recorded(open(recording).recording, config, senses));
+    result = wrap_env(make_recorded(open(recording), config, senses));
   });
 }
 

@@ -40,7 +40,7 @@ mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
     blueprint.edit([&](blueprint::SceneEdit& edit) {
-      edit.parameters.set(name, value);
+      if (!edit.agents.set_sense_parameter(name, value)) edit.parameters.set(name, value);
       note(edit, {{"call", "set_parameter"}, {"name", name}, {"value", value}});
     });
   });
@@ -50,7 +50,8 @@ mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, 
   return guard(scene, [&] {
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
-    out(value, "value") = blueprint.current().parameters[name];
+    const double* const of_sense = blueprint.current().agents.sense_parameter(name);
+    out(value, "value") = of_sense != nullptr ? *of_sense : blueprint.current().parameters[name];
   });
 }
 

@@ -16,7 +16,7 @@ template <typename Public>
 class Use {
  public:
   explicit Use(Public* handle, Sharing sharing = std::is_const_v<Public> ? Sharing::kShared : Sharing::kAlone)
-      : handle_(handle), sharing_(sharing), entry_(enter_handle(handle, kType, sharing, kName)) {
+      : handle_(handle), sharing_(sharing), entry_(enter(handle, sharing)) {
     if (entry_ == Admission::kEntered) enter_whole();
     if (entry_ == Admission::kWithin) require_lent();
     if (entry_ == Admission::kBusy) require_work();
@@ -41,6 +41,13 @@ class Use {
 
   const typename Traits::Type* object() const {
     return static_cast<const typename Traits::Type*>(peek_handle(handle_, kType));
+  }
+
+  static Admission enter(Public* handle, Sharing sharing) {
+    if (sharing == Sharing::kAlone) {
+      require_changeable(static_cast<const typename Traits::Type*>(peek_handle(handle, kType)));
+    }
+    return enter_handle(handle, kType, sharing, kName);
   }
 
   // The tasks of a batch run on threads of its own.

@@ -54,6 +54,11 @@ void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
   if (options.reflexes.wanted != 0) {
     fail(Status::kUnsupported, "reflexes: with attached senses the host commands the motors, and nothing adds to that");
   }
+  if (!options.own_senses.empty()) {
+    fail(Status::kUnsupported,
+         "sense \"{}\": attached senses have none of your own, which need a world of the library's",
+         options.own_senses[0].name);
+  }
   AgentOptions idle = options;
   idle.actuation.none = true;  // the host commands
   agents_.push_back(perceive(*model_, idle, setting, renderer_.get()));

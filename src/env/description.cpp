@@ -112,6 +112,7 @@ void LiveDescription::adopt(Description&& other) noexcept {
   take_bounds(description_.actions, other.actions);
   for (std::size_t i = 0; i < description_.fields.size(); ++i) {
     description_.fields[i].receptors = other.fields[i].receptors;
+    description_.fields[i].own_receptors = std::move(other.fields[i].own_receptors);
   }
   description_.skins = std::move(other.skins);
   description_.times = std::move(other.times);

@@ -44,6 +44,24 @@ struct PartDelays {
   bool any() const { return everywhere || !parts.empty(); }
 };
 
+class World;
+
+// A sense of the user's own, and its parameters.
+struct OwnSense {
+  struct Parameter {
+    std::string name, description;  // with the agent's and the sense's name: "anna/ct/rate"
+    double standard, low, high;
+  };
+
+  std::string name;
+  std::vector<Parameter> parameters;
+  std::vector<double> values;  // of the parameters
+  // Makes it for one agent of a world that is nearly made, and that outlives it.
+  std::function<std::unique_ptr<observation::Sense>(const World& world, std::size_t agent,
+                                                    const std::vector<double>& values)>
+      make;
+};
+
 struct AgentOptions {
   std::string name;  // "" for a sole agent
   std::string root;  // "": an infant; else the body of the model that the agent consists of, with all below it
@@ -62,6 +80,7 @@ struct AgentOptions {
   std::string face;                             // that it shows at first; "": the model's own
   std::vector<observation::PathLimits> limits;  // of its senses
   std::vector<actuation::MotorLimits> motors;   // and of the paths to its motors
+  std::vector<OwnSense> own_senses;             // of the user's own
 
   // Prefix of its fields, and of an infant's names in the model.
   std::string prefix() const { return name.empty() ? "" : name + "/"; }
@@ -79,8 +98,6 @@ struct ThingOptions {
   std::optional<double> temperature{};  // degrees Celsius; nothing: the room's
   std::string material{};               // by its name; "": plastic
 };
-
-class World;
 
 // Makes a sense that is written behind those of agents and cameras, and belongs to no agent. The world is null where
 // somebody else's simulation is sensed; model and world outlive the sense.

@@ -61,6 +61,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
                         static_cast<std::size_t>(options_.frame_skip), soundscape_};
   for (const AgentOptions& agent : agents) add_agent(agent, setting, make_task, eyes);
   for (const CameraOptions& camera : options_.cameras) observer_.add(make_camera(physics_.model(), camera, eyes));
+  add_own_senses(agents);
   if (options_.further_sense) observer_.add(options_.further_sense(physics_.model(), this));
   for (std::size_t i = 0; i < agents.size(); ++i) {
     limits_.add(agents[i].prefix(), agents[i].limits, nature_of_senses(physics_.model(), agents_[i], agents[i]),
@@ -73,6 +74,7 @@ World::World(engine::ModelPtr model, const std::vector<AgentOptions>& agents, co
   sense(nullptr, Moment::kStart);
   archive_ = Archive(engine::fingerprint(*shared_model_), sections());
   report_warnings();
+  let_own_senses_complain();
 }
 
 World::~World() {
@@ -104,6 +106,23 @@ void World::add_agent(const AgentOptions& options, const Setting& setting, const
   if (options.face.empty()) return;
   const body::Faces& faces = agents_.back().faces;
   physics_.paint(faces.geom, faces.find(options.face).material);
+}
+
+// Behind all senses of all agents, which they may look at.
+void World::add_own_senses(const std::vector<AgentOptions>& agents) {
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    for (const OwnSense& own : agents[i].own_senses) {
+      add_sense(agents_[i], agents[i], own.make(*this, i, own.values));
+      own_senses_.push_back(agents_[i].senses.back().get());
+      observer_.add(*own_senses_.back());
+      sensors_in_each_step_ = sensors_in_each_step_ || own_senses_.back()->follows_sensors();
+    }
+  }
+}
+
+// What they did wrong is told when everything else has happened.
+void World::let_own_senses_complain() const {
+  for (observation::Sense* sense : own_senses_) sense->complain();
 }
 
 void World::require_outside_task() const {
@@ -221,6 +240,7 @@ void World::reset(const std::uint64_t* seed, std::uint8_t* block) {
   physics_.forward();
   sense(block, Moment::kStart);
   report_warnings();
+  let_own_senses_complain();
 }
 
 void World::check_actions(Span<const float> actions) const {
@@ -242,7 +262,7 @@ void World::advance(Move&& move) {
   for (int i = 1; i <= options_.frame_skip; ++i) {
     const std::uint64_t tick = ticks() + static_cast<std::uint64_t>(i);
     const bool last = i == options_.frame_skip, sensed = !last && limits_.wants(tick);
-    move(i - 1, last || sensed);
+    move(i - 1, last || sensed || sensors_in_each_step_);
     observer_.advance(model(), data(), options_.timing ? &timing_.senses : nullptr);
     for (const Agent& agent : agents_) agent.task->watch(physics_);
     if (sensed) limits_.pass(model(), data(), tick, options_.timing ? &timing_.senses : nullptr);
@@ -283,6 +303,7 @@ void World::go(Span<const float> actions, std::uint8_t* block, const Results& re
   if (senses_first && block != nullptr) observer_.observe_share(observation::Share::kTask, model(), data(), block);
   report(results);
   report_warnings();
+  let_own_senses_complain();
 }
 
 void World::check_movement(Span<const double> positions) const {
@@ -319,6 +340,7 @@ void World::follow(Span<const double> positions, Span<double> forces, std::uint8
   });
   sense(block, Moment::kStep);
   report_warnings();
+  let_own_senses_complain();
 }
 
 void World::act(Span<const float> actions) {
@@ -359,9 +381,10 @@ void World::step_physics(int count) {
   ++changes_;
   step_contacts_.begin();
   for (int i = 0; i < count; ++i) {
-    step_once(i + 1 == count);
+    step_once(i + 1 == count || sensors_in_each_step_);
     observer_.advance(model(), data(), nullptr);
   }
+  let_own_senses_complain();
 }
 
 void World::step_once(bool sensors) {
@@ -376,6 +399,7 @@ void World::step_once(bool sensors) {
 void World::observe(std::uint8_t* block) {
   physics_.forward();
   sense(block, Moment::kBetween);
+  let_own_senses_complain();
 }
 
 // Only steps are timed: looking in between would blur what a step costs.

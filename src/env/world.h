@@ -52,6 +52,9 @@ class World {
   const std::vector<Agent>& agents() const { return agents_; }
   const observation::Layout& layout() const { return observer_.layout(); }
   const observation::LimitedSenses& limits() const { return limits_; }
+  const observation::Observer& observer() const { return observer_; }
+  std::size_t number() const { return number_; }  // in its batch
+  std::uint64_t noise() const { return episode_.noise; }
   std::size_t action_size() const { return action_size_; }
   // Terms of the rewards of all agents.
   std::size_t term_count() const;
@@ -140,6 +143,8 @@ class World {
   void adopt_scene_choices();
   void add_agent(const AgentOptions& options, const Setting& setting, const TaskMaker& make_task,
                  render::Renderer* eyes);
+  void add_own_senses(const std::vector<AgentOptions>& agents);
+  void let_own_senses_complain() const;
   TaskMaker task_maker(const Identity& identity) const;
   void start();
   void open();
@@ -178,7 +183,9 @@ class World {
   std::unique_ptr<render::Renderer> own_renderer_;
   std::vector<Agent> agents_;
   observation::Observer observer_;
-  senses::Soundscape* soundscape_ = nullptr;  // of the observer; null if no agent hears
+  std::vector<observation::Sense*> own_senses_;  // of the user's own, among the agents'
+  bool sensors_in_each_step_ = false;            // as one of these wants it
+  senses::Soundscape* soundscape_ = nullptr;     // of the observer; null if no agent hears
   observation::LimitedSenses limits_;
   Random random_;
   std::size_t number_;  // in its batch

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -55,10 +56,11 @@ struct Field {
   double high = std::numeric_limits<double>::infinity();
   std::vector<std::string> labels;  // one per element of the flattened field; empty for pictures
   std::vector<int> bodies;          // one per element: the part of the body that it is about; empty: none
-  Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it
-  bool exempt = false;              // from limits of senses: a task of the user's own tells it, or it is on request
-  double focal = 0;                 // how far a picture is from its eye, in pixels; 0 for all else
-  double foveation = 0;             // of a picture in colour: see Foveation; 0: as it was drawn
+  Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it, or
+  std::shared_ptr<const std::vector<Receptor>> own_receptors;  // they are these
+  bool exempt = false;   // from limits of senses: a task of the user's own tells it, or it is on request
+  double focal = 0;      // how far a picture is from its eye, in pixels; 0 for all else
+  double foveation = 0;  // of a picture in colour: see Foveation; 0: as it was drawn
   // How fast its nerves are: a share of what large fibres conduct at, or a speed of their own in m/s where it is not 0.
   double nerve_share = 1, nerve_speed = 0;
   double sample_rate = 0;  // of sound, samples a second; 0 for all else

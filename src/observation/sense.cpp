@@ -18,6 +18,7 @@ Section Process::section() {
   save(counter);
   Hash kind;
   kind.add(std::uint64_t{counter.size()});
+  if (version_ != 0) kind.add(std::uint64_t{version_});
   Section section;
   section.name = "receptors/" + name_;
   section.kind = kind.value();

@@ -21,8 +21,9 @@ namespace mimo::observation {
 // step, whether anybody looks or not, so that what is sensed depends on neither.
 class Process {
  public:
-  // The name is that of its memory in states; the agent's name goes before it.
-  explicit Process(std::string name) : name_(std::move(name)) {}
+  // The name is that of its memory in states; the agent's name goes before it. Bytes of another version are none that
+  // it can load.
+  explicit Process(std::string name, std::uint32_t version = 0) : name_(std::move(name)), version_(version) {}
   virtual ~Process() = default;
   void belong_to(const std::string& prefix) { name_ = prefix + name_; }
 
@@ -46,6 +47,7 @@ class Process {
   virtual void load(ByteReader& from) = 0;
 
   std::string name_;
+  std::uint32_t version_;
   bool begun_ = false;
 };
 
@@ -79,6 +81,11 @@ class Sense {
   virtual Share share() const = 0;
   // Fills its fields of the block from the current data, and from what has become of its processes.
   virtual void write(const mjModel& model, const mjData& data, std::uint8_t* block) = 0;
+
+  // Throws what went wrong in it since the last time, where that could not be said at once.
+  virtual void complain() {}
+  // Whether its processes look at MuJoCo's sensors.
+  virtual bool follows_sensors() const { return false; }
 
   // Its processes between observations.
   void keep(std::unique_ptr<Process> process) { processes_.push_back(std::move(process)); }

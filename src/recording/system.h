@@ -6,10 +6,11 @@
 
 namespace mimo::recording {
 
-// A library that stays loaded, and what it exports; both null where there is no such thing.
+// A library, which stays loaded until it is closed, and what it exports; both null where there is no such thing.
 void* open_library(const char* name);
 void* symbol_of(void* library, const char* name);
 std::string why_not_opened();
+void close_library(void* library);
 
 // The file that holds the code of this library; "" where that cannot be known.
 std::string path_of_this_library();

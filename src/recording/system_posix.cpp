@@ -31,6 +31,8 @@ bool same_file(const struct stat& one, const struct stat& other) {
 
 void* open_library(const char* name) { return dlopen(name, RTLD_NOW | RTLD_LOCAL); }
 
+void close_library(void* library) { dlclose(library); }
+
 void* symbol_of(void* library, const char* name) { return dlsym(library, name); }
 
 std::string why_not_opened() {

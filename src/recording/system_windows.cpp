@@ -15,6 +15,8 @@ void* open_library(const char* name) {
   return LoadLibraryExW(path.c_str(), nullptr, path.is_absolute() ? LOAD_WITH_ALTERED_SEARCH_PATH : 0);
 }
 
+void close_library(void* library) { FreeLibrary(static_cast<HMODULE>(library)); }
+
 void* symbol_of(void* library, const char* name) {
   const FARPROC found = GetProcAddress(static_cast<HMODULE>(library), name);
   void* address = nullptr;

@@ -6,4 +6,5 @@
 #include "misuse/rows_layout.h"
 #include "misuse/rows_recording.h"
 #include "misuse/rows_scene.h"
+#include "misuse/rows_sense.h"
 #include "misuse/rows_senses.h"

@@ -99,6 +99,23 @@ static mimo_status open_recorder(args* a) {
   return mimo_recorder_open(a->env, a->new_run, a->recorder_config, a->made_recorder);
 }
 
+/* An agent has one sense of a name: world.c has room for a number in it. */
+static mimo_status add_sense(args* a) {
+  static int number = 1000;
+  if (a->sense != NULL && a->sense->name != NULL) snprintf((char*)a->sense->name, 5, "%d", ++number);
+  return mimo_scene_add_sense(a->scene, a->agent_index, a->sense);
+}
+
+static mimo_status describe_sense(args* a) {
+  add_sense(a);
+  return mimo_scene_sense_parameter(a->scene, a->index, a->parameter);
+}
+
+/* What can only be refused here: there is no library, no function of a sense, no recording with a sense. */
+static mimo_status refused(mimo_status status, const char* words) {
+  return status != MIMO_OK && strstr(mimo_last_error(), words) != NULL ? MIMO_OK : status;
+}
+
 static mimo_status check_close_recorder(args* a) {
   char before[512];
   snprintf(before, sizeof before, "%s", mimo_last_error());
@@ -211,6 +228,8 @@ static void taken_object(args* a) { a->object_config->name = "toy"; }
 static void no_text(args* a) { a->text = NULL, a->capacity = 0; }
 static void unknown_parameter(args* a) { a->parameter_name = "mood"; }
 static void no_evaluate(args* a) { a->task->evaluate = NULL; }
+static void no_open(args* a) { a->sense->open = NULL; }
+static void no_write(args* a) { a->sense->write = NULL; }
 static void unknown_renderer(args* a) { a->env_config->renderer = a->senses_config->renderer = "crayons"; }
 static void no_renderer(args* a) { a->env_config->renderer = "none"; }
 static void unknown_task(args* a) { a->env_config->task = "homework"; }

@@ -25,6 +25,8 @@ typedef struct args {
   mimo_picture_config* picture_config;
   mimo_task* task;
   mimo_task_field* task_field;
+  mimo_sense* sense;
+  mimo_sense_field* sense_field;
   mimo_batch_results* results;
   mimo_env_results* env_results;
   mimo_movement* movement;

@@ -141,6 +141,23 @@ static const char* const toys[1] = {"toy"};
 static const char* const task_terms[1] = {"one"};
 static const size_t task_shape[1] = {3};
 
+static char sense_name[] = "1000";
+static const mimo_parameter sense_parameter = {
+    .struct_size = sizeof(mimo_parameter), .name = "keen", .description = "1", .standard = 1, .high = 2};
+
+static mimo_status open_nose(void* user, const mimo_env* env, const mimo_sense_moment* moment,
+                             mimo_sense_needs* needs) {
+  mimo_sense_field field;
+  (void)user, (void)moment, (void)needs;
+  CHECK_OK(mimo_sense_field_init(&field, sizeof field));
+  return mimo_sense_add_field(env, &field);
+}
+
+static mimo_status fill_nose(void* user, const mimo_env* env, const mimo_sense_moment* moment) {
+  (void)user, (void)env, (void)moment;
+  return MIMO_OK;
+}
+
 static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* moment, mimo_task_verdict* verdict) {
   (void)user, (void)env, (void)moment;
   verdict->terms[0] = 1;
@@ -293,6 +310,8 @@ static void make_structs(void) {
   good.picture_config = region(sizeof *good.picture_config + TAIL);
   good.task = region(sizeof *good.task + TAIL);
   good.task_field = region(sizeof *good.task_field + TAIL);
+  good.sense = region(sizeof *good.sense + TAIL);
+  good.sense_field = region(sizeof *good.sense_field + TAIL);
   good.results = region(sizeof *good.results + TAIL);
   good.env_results = region(sizeof *good.env_results + TAIL);
   good.movement = region(sizeof *good.movement + TAIL);
@@ -377,6 +396,8 @@ static void fill_configs(void) {
   CHECK_OK(mimo_picture_config_init(good.picture_config, sizeof *good.picture_config));
   CHECK_OK(mimo_task_init(good.task, sizeof *good.task));
   CHECK_OK(mimo_task_field_init(good.task_field, sizeof *good.task_field));
+  CHECK_OK(mimo_sense_init(good.sense, sizeof *good.sense));
+  CHECK_OK(mimo_sense_field_init(good.sense_field, sizeof *good.sense_field));
   CHECK_OK(mimo_camera_config_init(good.camera_config, sizeof *good.camera_config));
   CHECK_OK(mimo_field_config_init(good.field_config, sizeof *good.field_config));
   CHECK_OK(mimo_growth_init(good.growth, sizeof *good.growth));
@@ -403,6 +424,12 @@ static void fill_configs(void) {
   good.task_field->shape = task_shape;
   good.task_field->ndim = 1;
   good.task_field->high = 8;
+  good.sense->interface_version = MIMO_SENSE_INTERFACE;
+  good.sense->name = sense_name;
+  good.sense->parameters = &sense_parameter;
+  good.sense->parameter_count = 1;
+  good.sense->open = open_nose;
+  good.sense->write = fill_nose;
   good.parameter->struct_size = sizeof *good.parameter;
   good.info->struct_size = sizeof *good.info;
   good.layout_info->struct_size = sizeof *good.layout_info;

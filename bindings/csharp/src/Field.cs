@@ -9,6 +9,7 @@ namespace Mimo
     {
         private readonly LayoutHandle layout;
         private readonly UIntPtr index;
+        internal UIntPtr Index => index;
 
         /// <summary>Path, "proprioception/position".</summary>
         public string Name { get; }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 
@@ -271,8 +272,39 @@ namespace Mimo
             before?.Release();
         }
 
-        /// <summary>Sets a task's parameter, one of Tasks.Parameters ("reach/success_reward"), for worlds made from now
-        /// on.</summary>
+        /// <summary>Gives an agent a sense of your own, for worlds made from now on. make is called for each world and
+        /// agent. Raise the version when the memory changes its meaning.</summary>
+        public void AddSense(string name, Func<SenseOpening, MimoSense> make, IEnumerable<SenseParameter> parameters = null, int agent = 0, int version = 0)
+        {
+            Sensing.Tell(name, make, parameters, version,
+                (ref SenseStruct raw) => Native.mimo_scene_add_sense(Handle, Given.Index(agent, "agent"), ref raw));
+        }
+
+        /// <summary>The same for a sense in a shared library, whose code runs: load only what you trust.</summary>
+        public void LoadSense(string path, int agent = 0)
+        {
+            MimoException.Check(Native.mimo_scene_load_sense(Handle, Given.Index(agent, "agent"), Utf8.Bytes(path)));
+        }
+
+        /// <summary>The parameters of all senses of your own, for SetParameter.</summary>
+        public IReadOnlyList<Parameter> SenseParameters
+        {
+            get
+            {
+                var all = new List<Parameter>();
+                for (;;)
+                {
+                    var raw = ParameterStruct.New();
+                    var status = Native.mimo_scene_sense_parameter(Handle, (UIntPtr)all.Count, ref raw);
+                    if (status == (int)Status.NotFound) return all;
+                    MimoException.Check(status);
+                    all.Add(new Parameter(raw));
+                }
+            }
+        }
+
+        /// <summary>Sets a task's parameter, one of Tasks.Parameters ("reach/success_reward"), or one of a sense of your
+        /// own ("ct/rate", SenseParameters), for worlds made from now on.</summary>
         public void SetParameter(string name, double value)
         {
             MimoException.Check(Native.mimo_scene_set_parameter(Handle, Utf8.Bytes(name), value));

@@ -20,6 +20,21 @@ namespace Mimo
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int TaskEvaluateFunction(IntPtr user, IntPtr env, ref TaskMomentStruct moment, ref TaskVerdictStruct verdict);
 
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int SenseOpenFunction(IntPtr user, IntPtr env, ref SenseMomentStruct moment, ref SenseNeedsStruct needs);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void SenseCloseFunction(IntPtr user, IntPtr own);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int SenseFunction(IntPtr user, IntPtr env, ref SenseMomentStruct moment);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void SenseReleaseFunction(IntPtr user);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate int SenseEntryFunction(ref SenseStruct sense);
+
         internal static uint mimo_abi_version()
         {
             try { return Entry.mimo_abi_version(); }
@@ -974,6 +989,66 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_report"); }
         }
 
+        internal static int mimo_sense_init(out SenseStruct sense, UIntPtr size)
+        {
+            try { return Entry.mimo_sense_init(out sense, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_sense_init"); }
+        }
+
+        internal static int mimo_sense_field_init(out SenseFieldStruct field, UIntPtr size)
+        {
+            try { return Entry.mimo_sense_field_init(out field, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_sense_field_init"); }
+        }
+
+        internal static int mimo_sense_add_field(EnvHandle env, ref SenseFieldStruct field)
+        {
+            try { return Entry.mimo_sense_add_field(env, ref field); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_sense_add_field"); }
+        }
+
+        internal static int mimo_sense_feel(EnvHandle env, UIntPtr field, IntPtr values)
+        {
+            try { return Entry.mimo_sense_feel(env, field, values); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_sense_feel"); }
+        }
+
+        internal static double mimo_sense_noise(ulong seed, ulong tick, ulong number)
+        {
+            try { return Entry.mimo_sense_noise(seed, tick, number); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_sense_noise"); }
+        }
+
+        internal static int mimo_scene_add_sense(SceneHandle scene, UIntPtr agent, ref SenseStruct sense)
+        {
+            try { return Entry.mimo_scene_add_sense(scene, agent, ref sense); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_add_sense"); }
+        }
+
+        internal static int mimo_scene_load_sense(SceneHandle scene, UIntPtr agent, byte[] path)
+        {
+            try { return Entry.mimo_scene_load_sense(scene, agent, path); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_load_sense"); }
+        }
+
+        internal static int mimo_scene_sense_parameter(SceneHandle scene, UIntPtr index, ref ParameterStruct parameter)
+        {
+            try { return Entry.mimo_scene_sense_parameter(scene, index, ref parameter); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_sense_parameter"); }
+        }
+
+        internal static int mimo_recording_add_sense(RecordingHandle recording, ref SenseStruct sense)
+        {
+            try { return Entry.mimo_recording_add_sense(recording, ref sense); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_add_sense"); }
+        }
+
+        internal static int mimo_recording_load_sense(RecordingHandle recording, byte[] path)
+        {
+            try { return Entry.mimo_recording_load_sense(recording, path); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_load_sense"); }
+        }
+
         private static class Entry
         {
             [DllImport(File)] internal static extern uint mimo_abi_version();
@@ -1135,6 +1210,16 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_recording_seek(RecordingHandle recording, EnvHandle env, UIntPtr step, uint how, out UIntPtr at);
             [DllImport(File)] internal static extern int mimo_recording_step(RecordingHandle recording, EnvHandle env, byte[] block, UIntPtr block_bytes, ref EnvResultsStruct results);
             [DllImport(File)] internal static extern int mimo_recording_report(RecordingHandle recording, ref ReplayReportStruct report);
+            [DllImport(File)] internal static extern int mimo_sense_init(out SenseStruct sense, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_sense_field_init(out SenseFieldStruct field, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_sense_add_field(EnvHandle env, ref SenseFieldStruct field);
+            [DllImport(File)] internal static extern int mimo_sense_feel(EnvHandle env, UIntPtr field, IntPtr values);
+            [DllImport(File)] internal static extern double mimo_sense_noise(ulong seed, ulong tick, ulong number);
+            [DllImport(File)] internal static extern int mimo_scene_add_sense(SceneHandle scene, UIntPtr agent, ref SenseStruct sense);
+            [DllImport(File)] internal static extern int mimo_scene_load_sense(SceneHandle scene, UIntPtr agent, byte[] path);
+            [DllImport(File)] internal static extern int mimo_scene_sense_parameter(SceneHandle scene, UIntPtr index, ref ParameterStruct parameter);
+            [DllImport(File)] internal static extern int mimo_recording_add_sense(RecordingHandle recording, ref SenseStruct sense);
+            [DllImport(File)] internal static extern int mimo_recording_load_sense(RecordingHandle recording, byte[] path);
         }
     }
 
@@ -1151,5 +1236,6 @@ namespace Mimo
         internal const int ApiVersion = 1000;
         internal const int Headlight = -1;
         internal const int AsRecorded = 1073741824;
+        internal const int SenseInterface = 1;
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Runtime.InteropServices;
 
 namespace Mimo
@@ -56,6 +57,20 @@ namespace Mimo
                 MimoException.Check(Native.mimo_recording_describe(Handle, ref raw));
                 return new RecordingInfo(raw);
             }
+        }
+
+        /// <summary>Brings along a sense of your own that the recorded world had, by its name: see
+        /// MimoScene.AddSense.</summary>
+        public void AddSense(string name, Func<SenseOpening, MimoSense> make, IEnumerable<SenseParameter> parameters = null, int version = 0)
+        {
+            Sensing.Tell(name, make, parameters, version,
+                (ref SenseStruct raw) => Native.mimo_recording_add_sense(Handle, ref raw));
+        }
+
+        /// <summary>The same for a sense in a shared library.</summary>
+        public void LoadSense(string path)
+        {
+            MimoException.Check(Native.mimo_recording_load_sense(Handle, Utf8.Bytes(path)));
         }
 
         /// <summary>Number of rows of a dataset.</summary>

@@ -920,4 +920,104 @@ namespace Mimo
             return new ReplayReportStruct { struct_size = Bytes };
         }
     }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct SenseMomentStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr world;
+        internal UIntPtr agent;
+        internal IntPtr prefix;
+        internal ulong tick;
+        internal double timestep;
+        internal UIntPtr step_ticks;
+        internal ulong seed;
+        internal IntPtr parameters;
+        internal IntPtr own;
+        internal IntPtr memory;
+        internal IntPtr fields;
+        internal UIntPtr field_count;
+
+        internal const uint Bytes = 104;
+
+        internal static SenseMomentStruct New()
+        {
+            return new SenseMomentStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct SenseNeedsStruct
+    {
+        internal uint struct_size;
+        internal uint sensors;
+        internal UIntPtr memory_bytes;
+        internal IntPtr own;
+
+        internal const uint Bytes = 24;
+
+        internal static SenseNeedsStruct New()
+        {
+            return new SenseNeedsStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct SenseStruct
+    {
+        internal uint struct_size;
+        internal uint interface_version;
+        internal IntPtr name;
+        internal IntPtr description;
+        internal uint version;
+        internal uint host_fills;
+        internal IntPtr parameters;
+        internal UIntPtr parameter_count;
+        internal IntPtr user;
+        internal IntPtr open;
+        internal IntPtr close;
+        internal IntPtr reset;
+        internal IntPtr advance;
+        internal IntPtr write;
+        internal IntPtr release;
+
+        internal const uint Bytes = 104;
+
+        internal static SenseStruct New()
+        {
+            SenseStruct made;
+            MimoException.Check(Native.mimo_sense_init(out made, (UIntPtr)Bytes));
+            return made;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct SenseFieldStruct
+    {
+        internal uint struct_size;
+        internal int dtype;
+        internal IntPtr name;
+        internal IntPtr unit;
+        internal IntPtr frame;
+        internal IntPtr shape;
+        internal UIntPtr ndim;
+        internal double low;
+        internal double high;
+        internal IntPtr labels;
+        internal UIntPtr label_count;
+        internal IntPtr skin;
+        internal IntPtr receptors;
+        internal UIntPtr receptor_count;
+        internal double nerve_speed;
+
+        internal const uint Bytes = 112;
+
+        internal static SenseFieldStruct New()
+        {
+            SenseFieldStruct made;
+            MimoException.Check(Native.mimo_sense_field_init(out made, (UIntPtr)Bytes));
+            return made;
+        }
+    }
 }

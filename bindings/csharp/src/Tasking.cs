@@ -169,7 +169,7 @@ namespace Mimo
         }
 
         /// <summary>An exception must not unwind through the library's frames.</summary>
-        private static int Fail(Exception error)
+        internal static int Fail(Exception error)
         {
             var known = error as MimoException;
             return Native.mimo_fail((int)(known == null ? Status.Task : known.Status),

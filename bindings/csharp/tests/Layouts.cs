@@ -122,6 +122,18 @@ internal static partial class Tests
             "8, library 96 8, mujoco 104 8" },
         { typeof(ReplayReportStruct), "48: " +
             "struct_size 0 4, identical 4 4, next 8 8, steps 16 8, first_difference 24 8, largest_difference 32 8, " +
-            "differs_most_in 40 8" }
+            "differs_most_in 40 8" },
+        { typeof(SenseMomentStruct), "104: " +
+            "struct_size 0 4, reserved 4 4, world 8 8, agent 16 8, prefix 24 8, tick 32 8, timestep 40 8, step_ticks " +
+            "48 8, seed 56 8, parameters 64 8, own 72 8, memory 80 8, fields 88 8, field_count 96 8" },
+        { typeof(SenseNeedsStruct), "24: " +
+            "struct_size 0 4, sensors 4 4, memory_bytes 8 8, own 16 8" },
+        { typeof(SenseStruct), "104: " +
+            "struct_size 0 4, interface_version 4 4, name 8 8, description 16 8, version 24 4, host_fills 28 4, " +
+            "parameters 32 8, parameter_count 40 8, user 48 8, open 56 8, close 64 8, reset 72 8, advance 80 8, write " +
+            "88 8, release 96 8" },
+        { typeof(SenseFieldStruct), "112: " +
+            "struct_size 0 4, dtype 4 4, name 8 8, unit 16 8, frame 24 8, shape 32 8, ndim 40 8, low 48 8, high 56 8, " +
+            "labels 64 8, label_count 72 8, skin 80 8, receptors 88 8, receptor_count 96 8, nerve_speed 104 8" }
     };
 }

@@ -76,6 +76,9 @@ class Recording : public Handle<mimo_recording, detail::destroy_recording> {
     return read<T>(dataset, 0, rows(dataset));
   }
 
+  /// Brings along a sense of your own that the recorded world had.
+  inline void add_sense(const mimo_sense &sense);
+  inline void load_sense(const std::string &path);
   /// The recorded world, made anew out of the file; configs as those of mimo_recording_env.
   Env env(const mimo_env_config *config = nullptr, const mimo_agent_config *senses = nullptr) const {
     mimo_env *made = nullptr;

@@ -134,6 +134,12 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
   inline void set_task(Task &task);
   /// Takes it away.
   void clear_task() { check(mimo_scene_set_task(get(), nullptr)); }
+  /// Gives an agent of worlds made from now on a sense of your own: mimo::sense<Mine>("mine").
+  inline void add_sense(const mimo_sense &sense, std::size_t agent = 0);
+  /// The same for a sense in a shared library.
+  inline void load_sense(const std::string &path, std::size_t agent = 0);
+  /// The parameters of all senses of your own, for set_parameter.
+  inline std::vector<mimo_parameter> sense_parameters() const;
 
   std::string xml() const {
     std::size_t length = 0;

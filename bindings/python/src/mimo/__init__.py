@@ -39,6 +39,7 @@ from .errors import (
 )
 from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
+from .own_sense import Sense
 from .own_task import Moment, WorldTask
 from .recorder import Recorder
 from .recordings import Recording, ReplayReport
@@ -111,6 +112,7 @@ __all__ = [
     "Receptors",
     "RenderError",
     "Scene",
+    "Sense",
     "Senses",
     "Selection",
     "SimulationError",

@@ -728,6 +728,99 @@ class ReplayReport(Struct):
     ]
 
 
+class SenseMoment(Struct):
+    """mimo_sense_moment."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("world", c_size_t),
+        ("agent", c_size_t),
+        ("prefix", c_char_p),
+        ("tick", c_uint64),
+        ("timestep", c_double),
+        ("step_ticks", c_size_t),
+        ("seed", c_uint64),
+        ("parameters", c_void_p),
+        ("own", c_void_p),
+        ("memory", c_void_p),
+        ("fields", POINTER(c_void_p)),
+        ("field_count", c_size_t),
+    ]
+
+
+class SenseNeeds(Struct):
+    """mimo_sense_needs."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("sensors", c_uint32),
+        ("memory_bytes", c_size_t),
+        ("own", c_void_p),
+    ]
+
+
+SenseOpenFn = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(SenseMoment), POINTER(SenseNeeds))
+
+
+SenseCloseFn = ctypes.CFUNCTYPE(None, c_void_p, c_void_p)
+
+
+SenseFn = ctypes.CFUNCTYPE(c_int32, c_void_p, c_void_p, POINTER(SenseMoment))
+
+
+SenseReleaseFn = ctypes.CFUNCTYPE(None, c_void_p)
+
+
+class Sense(Struct):
+    """mimo_sense."""
+
+    init = "mimo_sense_init"
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("interface_version", c_uint32),
+        ("name", c_char_p),
+        ("description", c_char_p),
+        ("version", c_uint32),
+        ("host_fills", c_uint32),
+        ("parameters", POINTER(Parameter)),
+        ("parameter_count", c_size_t),
+        ("user", c_void_p),
+        ("open", SenseOpenFn),
+        ("close", SenseCloseFn),
+        ("reset", SenseFn),
+        ("advance", SenseFn),
+        ("write", SenseFn),
+        ("release", SenseReleaseFn),
+    ]
+
+
+class SenseField(Struct):
+    """mimo_sense_field."""
+
+    init = "mimo_sense_field_init"
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("dtype", c_int32),
+        ("name", c_char_p),
+        ("unit", c_char_p),
+        ("frame", c_char_p),
+        ("shape", c_void_p),
+        ("ndim", c_size_t),
+        ("low", c_double),
+        ("high", c_double),
+        ("labels", POINTER(c_char_p)),
+        ("label_count", c_size_t),
+        ("skin", c_char_p),
+        ("receptors", c_void_p),
+        ("receptor_count", c_size_t),
+        ("nerve_speed", c_double),
+    ]
+
+
+SenseEntryFn = ctypes.CFUNCTYPE(c_int32, POINTER(Sense))
+
+
 # name: (result, arguments)
 FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_abi_version": (c_uint32, []),
@@ -891,4 +984,14 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_recording_seek": (c_int32, [c_void_p, c_void_p, c_size_t, c_uint32, POINTER(c_size_t)]),
     "mimo_recording_step": (c_int32, [c_void_p, c_void_p, c_void_p, c_size_t, POINTER(EnvResults)]),
     "mimo_recording_report": (c_int32, [c_void_p, POINTER(ReplayReport)]),
+    "mimo_sense_init": (c_int32, [POINTER(Sense), c_size_t]),
+    "mimo_sense_field_init": (c_int32, [POINTER(SenseField), c_size_t]),
+    "mimo_sense_add_field": (c_int32, [c_void_p, POINTER(SenseField)]),
+    "mimo_sense_feel": (c_int32, [c_void_p, c_size_t, POINTER(c_void_p)]),
+    "mimo_sense_noise": (c_double, [c_uint64, c_uint64, c_uint64]),
+    "mimo_scene_add_sense": (c_int32, [c_void_p, c_size_t, POINTER(Sense)]),
+    "mimo_scene_load_sense": (c_int32, [c_void_p, c_size_t, c_char_p]),
+    "mimo_scene_sense_parameter": (c_int32, [c_void_p, c_size_t, POINTER(Parameter)]),
+    "mimo_recording_add_sense": (c_int32, [c_void_p, POINTER(Sense)]),
+    "mimo_recording_load_sense": (c_int32, [c_void_p, c_char_p]),
 }

@@ -22,6 +22,7 @@ from .contacts import contacts_of, step_contacts_of
 from .errors import Error, make_error
 from .layout import Layout, Observation
 from .options import Options, refuse_unknown
+from .own_sense import fill_all
 from .results import Last, Numbers, Results, StepResult
 from .scene import Scene, prepare
 from .selection import Mask
@@ -234,11 +235,19 @@ class Batch(Access):
         """Remembers the blocks of the latest observation, of all worlds or those of a mask; None: there was none."""
         if blocks is None:
             return
+        if self._scene._own_senses:
+            self._fill(blocks)
         last = self._last
         for index, world in self._worlds.items() if mask is not None else ():
             if not mask[index] and world._last.seen == last.times:  # type: ignore[index]  # it has observed on its own
                 world._last.seen += 1
         last.sensed, last.times = self._views if blocks is self.blocks else blocks, last.times + 1
+
+    def _fill(self, blocks: NDArray[np.uint8]) -> None:
+        senses = self._scene._own_senses
+        fill_all(senses, self._views if blocks is self.blocks else self.layout.views(blocks), alone=False)
+        if self._settings["autoreset"] == Autoreset.SAME_STEP and self.was_reset.any():
+            fill_all(senses, self.layout.views(self.final_blocks), alone=False)
 
     def _row_of(self, index: int) -> Row:
         return Row(self, index)

@@ -31,6 +31,7 @@ __all__ = [
     "Reflex",
     "Render",
     "Replay",
+    "SENSE_INTERFACE",
     "Sex",
     "Shape",
     "Status",
@@ -914,3 +915,7 @@ HEADLIGHT = -1
 
 AS_RECORDED = 0x40000000
 """Of a sense for mimo_recording_env: infants have it as they had it. Experimental."""
+
+
+SENSE_INTERFACE = 1
+"""Version of the rules between the library and a sense. A library refuses senses of other versions. Experimental."""

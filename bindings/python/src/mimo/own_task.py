@@ -224,7 +224,7 @@ def _write(address: Optional[int], row: NDArray[Any], count: int, name: str) -> 
         ctypes.memmove(address, np.ascontiguousarray(row).ctypes.data, row.nbytes)
 
 
-def _status(work: Callable[[], None]) -> int:
+def status_of(work: Callable[[], None]) -> int:
     """Turns exceptions into statuses: they must not pass through the library's frames."""
     try:
         work()
@@ -242,9 +242,9 @@ def _fail(status: int, message: str) -> int:
 
 @_abi.TaskResetFn  # type: ignore[untyped-decorator]
 def _reset(user: int, env: int, told: Any) -> int:
-    return _status(lambda: _bounds[user].reset(env, told.contents))
+    return status_of(lambda: _bounds[user].reset(env, told.contents))
 
 
 @_abi.TaskEvaluateFn  # type: ignore[untyped-decorator]
 def _evaluate(user: int, env: int, told: Any, verdict: Any) -> int:
-    return _status(lambda: _bounds[user].evaluate(env, told.contents, verdict.contents))
+    return status_of(lambda: _bounds[user].evaluate(env, told.contents, verdict.contents))

@@ -22,6 +22,7 @@ class RecordedScene:
         self.source = path
         self._growths: List[Any] = []
         self._task = None
+        self._own_senses: List[Any] = []
 
     def __reduce__(self) -> NoReturn:
         raise TypeError(f"worlds of recordings cannot be pickled: open {self.source} where they are needed")

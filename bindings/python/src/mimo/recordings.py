@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from typing import Any, NamedTuple, Optional, Type, Union
+from typing import Any, List, NamedTuple, Optional, Type, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,7 @@ from ._library import LIB, check, from_struct, text, utf8
 from .arguments import whole_number
 from .constants import Replay
 from .drawing import EYES
+from .own_sense import BoundSense, Sense
 from .recorded_world import inner_world, recorded_world, world_of_scene
 from .results import StepResult
 from .world import World
@@ -57,6 +58,7 @@ class Recording(Handle):
 
     def __init__(self, path: "Union[str, os.PathLike[str]]", hdf5: Optional[str] = None) -> None:
         self._have(path=os.fspath(path))
+        self._own_senses: List[BoundSense] = []
         handle = ctypes.c_void_p()
 
         def read(library: Optional[bytes]) -> None:
@@ -92,6 +94,15 @@ class Recording(Handle):
         values = np.empty((max(wanted, 0), row_bytes.value // np.dtype(dtype).itemsize), dtype)
         check(LIB.mimo_recording_read(self._handle, name, first, max(wanted, 0), values.ctypes.data, values.nbytes))
         return values
+
+    def load_sense(self, path: "Union[str, os.PathLike[str]]") -> None:
+        """Brings along a shared library with a sense that the recorded world had; a file loads no code by itself."""
+        check(LIB.mimo_recording_load_sense(self._handle, utf8(os.path.abspath(path), "path")))
+
+    def add_sense(self, sense: Sense) -> None:
+        """Brings along a sense in Python that the recorded world had. Its fields stay 0, as in the recording."""
+        self._own_senses.append(BoundSense(sense))
+        check(LIB.mimo_recording_add_sense(self._handle, self._own_senses[-1].table()))
 
     def world(self, eyes: int = EYES, scene: Optional[str] = None) -> World:
         """Makes the recorded world from the file, with touch, and eyes of `eyes` x `eyes` pixels; 0: no eyes.

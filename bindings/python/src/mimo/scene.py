@@ -30,7 +30,7 @@ from ._library import LIB, check, defaults, log_to_python, result, text, told_be
 from ._strict import Strict
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
-from .constants import NOW, Hearing, Place, Proprioception, Quantity, Reflex, Touch, Vestibular
+from .constants import NOW, Hearing, Place, Proprioception, Quantity, Reflex, Status, Touch, Vestibular
 from .errors import NotFoundError
 from .maturity import Maturity, maturity_from
 from .options import (
@@ -49,6 +49,7 @@ from .options import (
     fill,
     refuse_unknown,
 )
+from .own_sense import BoundSense, Sense
 from .own_task import Bound, WorldTask
 from .tasks import Task
 
@@ -156,6 +157,7 @@ class Scene(Handle):
         self._agents = 0
         self._growths: List[Dict[str, Any]] = []  # options of growth, per infant
         self._task: Optional[Bound] = None
+        self._own_senses: List[BoundSense] = []
         config = defaults(_abi.SceneConfig)
         for key, value in self._start.items():
             setattr(config, key, utf8(value, key))
@@ -368,9 +370,25 @@ class Scene(Handle):
             bound.tell(self._handle)
         self._task = bound
 
+    @_edit
+    def load_sense(self, path: Union[str, "os.PathLike[str]"], agent: int = 0) -> None:
+        """Gives an agent of worlds made from now on the sense of a shared library, whose code runs.
+
+        Its fields come after those of all infants and cameras; its parameters are in `parameters`.
+        """
+        place = utf8(os.path.abspath(path), "path")
+        check(LIB.mimo_scene_load_sense(self._handle, number_of("agent", agent, 64), place))
+
+    @_edit
+    def add_sense(self, sense: Sense, agent: int = 0) -> None:
+        """Gives an agent of worlds made from now on a sense in Python, which fills fields after each observation."""
+        bound = BoundSense(sense)
+        check(LIB.mimo_scene_add_sense(self._handle, number_of("agent", agent, 64), bound.table()))
+        self._own_senses.append(bound)
+
     @property
     def parameters(self) -> "Parameters":
-        """Parameters of tasks: scene.parameters["reach/success_reward"] = 10."""
+        """Parameters of tasks and loaded senses: scene.parameters["reach/success_reward"] = 10."""
         return Parameters(self)
 
     @property
@@ -437,7 +455,7 @@ def _rebuilt(start: Dict[str, Any], steps: List[_Step]) -> Scene:
 
 
 class Parameters(Strict, MutableMapping[str, float]):
-    """Parameters of a scene's tasks, by name, for worlds made from now on."""
+    """Parameters of a scene's tasks and loaded senses, by name, for worlds made from now on."""
 
     def __init__(self, scene: Scene) -> None:
         self._scene = scene
@@ -452,15 +470,18 @@ class Parameters(Strict, MutableMapping[str, float]):
         raise TypeError("parameters cannot be removed")
 
     def __iter__(self) -> Iterator[str]:
-        return (text(described.name) for described in map(_described, range(len(self))))
+        return (text(described.name) for described in self._all())
 
     def __len__(self) -> int:
-        return int(result(ctypes.c_size_t, LIB.mimo_parameter_count))
+        return len(self._all())
+
+    def _all(self) -> List[_abi.Parameter]:
+        count = int(result(ctypes.c_size_t, LIB.mimo_parameter_count))
+        return [*map(_described, range(count)), *_of_senses(self._scene)]
 
     def describe(self, name: str) -> str:
         """One line about a parameter: what it is, its default and its range."""
-        for index in range(len(self)):
-            it = _described(index)
+        for it in self._all():
             if text(it.name) == name:
                 return f"{text(it.description)} (default {it.standard:g}, {it.low:g} to {it.high:g})"
         self[name]  # raises and lists the existing names
@@ -471,6 +492,17 @@ def _described(index: int) -> _abi.Parameter:
     parameter = _abi.Parameter()
     check(LIB.mimo_parameter_describe(index, parameter))
     return parameter
+
+
+def _of_senses(scene: Scene) -> List[_abi.Parameter]:
+    all_of_them: List[_abi.Parameter] = []
+    while True:
+        parameter = _abi.Parameter()
+        status = LIB.mimo_scene_sense_parameter(scene._handle, len(all_of_them), parameter)
+        if status == Status.NOT_FOUND:
+            return all_of_them
+        check(status)
+        all_of_them.append(parameter)
 
 
 def start_of(scene: Any) -> Scene:

@@ -21,6 +21,7 @@ from .contacts import contacts_of, step_contacts_of
 from .geometry import Geometry
 from .layout import Layout, Observation
 from .options import Options, PhysicsOptions, PictureOptions, WorldOptions, fill
+from .own_sense import fill_all
 from .results import Followed, Numbers, Results, StepResult
 from .scene import Scene, prepare
 from .selection import Mask
@@ -187,6 +188,9 @@ class World(Geometry):
         """Remembers the latest observation: its block, or its fields; None: there was none."""
         if sensed is None:
             return
+        if self._scene._own_senses:
+            own = self._views if sensed is self.block else sensed
+            fill_all(self._scene._own_senses, own if isinstance(own, dict) else self.layout.views(own), alone=True)
         self._last.sensed = self._views if sensed is self.block else sensed
         if self._row is not None:
             self._row.sensed_itself(self._last)

@@ -881,6 +881,11 @@ pub const MIMO_REPLAY_JOINTS: u32 = 2;
 /// Experimental.
 pub const MIMO_AS_RECORDED: u32 = 1073741824;
 
+/// Version of the rules between the library and a sense. A library refuses senses of other versions.
+///
+/// Experimental.
+pub const MIMO_SENSE_INTERFACE: u32 = 1;
+
 /// Result of a call: MIMO_OK or one of the negative MIMO_E_ constants.
 pub type mimo_status = i32;
 
@@ -967,6 +972,38 @@ pub type mimo_task_reset_fn = Option<unsafe extern "C" fn(user: *mut c_void, env
 ///
 /// Returns: as in mimo_task_reset_fn, for the step.
 pub type mimo_task_evaluate_fn = Option<unsafe extern "C" fn(user: *mut c_void, env: *mut mimo_env, moment: *const mimo_task_moment, verdict: *mut mimo_task_verdict) -> mimo_status>;
+
+/// Prepares the sense of one agent for a world that is being made: looks up ids, declares the fields
+/// (mimo_sense_add_field), and says how much memory they need. Called once for each world and agent, also for clones
+/// and for worlds of another age; each time it declares fields of the same names and shapes.
+///
+/// Returns: MIMO_OK, or any MIMO_E_ constant: the world is then not made (MIMO_E_TASK), and the message quotes the
+/// constant and the message of mimo_fail or of the failed call. For all functions of a sense: they must not end their
+/// thread and must not longjmp out. On Linux and macOS, where program and library share an unwinder, an exception that
+/// leaves one counts as a failure. On other systems no exception may leave it; mimo.hpp catches all on every system.
+pub type mimo_sense_open_fn = Option<unsafe extern "C" fn(user: *mut c_void, env: *const mimo_env, moment: *const mimo_sense_moment, needs: *mut mimo_sense_needs) -> mimo_status>;
+
+/// Frees what open has made. Called once for each open that returned MIMO_OK.
+pub type mimo_sense_close_fn = Option<unsafe extern "C" fn(user: *mut c_void, own: *mut c_void)>;
+
+/// Does something at a moment of a world: at the start of an episode (reset), after a physics step (advance), or for
+/// an observation (write). The three see the world as it is then: positions of joints at the end of the physics step;
+/// contacts, forces and poses as that step has computed them, so at its start. What they do must depend on nothing but
+/// the world, the parameters and the memory: then results depend on neither frame_skip nor threads, and states and
+/// replays are exact. reset and advance may change the memory. write only fills the fields: it runs as often as
+/// somebody looks, which may be never.
+///
+/// Returns: as in mimo_sense_open_fn. Where one fails, the call that runs it does everything else, fills the sense's
+/// fields with 0, and then returns MIMO_E_TASK: the step has happened. The world can go on.
+pub type mimo_sense_fn = Option<unsafe extern "C" fn(user: *mut c_void, env: *const mimo_env, moment: *const mimo_sense_moment) -> mimo_status>;
+
+/// Called when neither a scene nor a world has the sense any more, on any thread.
+pub type mimo_sense_release_fn = Option<unsafe extern "C" fn(user: *mut c_void)>;
+
+/// What a shared library exports under the name mimo_sense_entry.
+///
+/// Returns: MIMO_OK, or a MIMO_E_ constant with the reason by mimo_fail.
+pub type mimo_sense_entry_fn = Option<unsafe extern "C" fn(sense: *mut mimo_sense) -> mimo_status>;
 
 /// A message, valid until the function that receives it returns.
 #[repr(C)]
@@ -2140,6 +2177,142 @@ pub struct mimo_replay_report {
     /// The dataset in which that was, "" where all was identical. Valid until the recording's next call that is not
     /// const.
     pub differs_most_in: *const c_char,
+}
+
+/// The context of a call of a sense's function. Valid until the function returns.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_sense_moment {
+    /// Size in the library. 256 bytes are readable, zero beyond it.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Number of the world in its batch; 0 for a single environment.
+    pub world: usize,
+    /// Number of the agent.
+    pub agent: usize,
+    /// What the agent's fields, and an infant's names in the model, begin with: "anna/"; "" for a sole agent.
+    pub prefix: *const c_char,
+    /// Physics steps since the start of the episode. 0 in open, reset and the first write.
+    pub tick: u64,
+    /// Seconds of a physics step.
+    pub timestep: f64,
+    /// Physics steps of an environment step.
+    pub step_ticks: usize,
+    /// For mimo_sense_noise: follows from the world's seed, the episode, the agent and the sense's name.
+    pub seed: u64,
+    /// Values of the sense's parameters, in the order of the table.
+    pub parameters: *const f64,
+    /// As open left it.
+    pub own: *mut c_void,
+    /// The bytes that open asked for, 16-byte aligned, zero at the start of an episode; part of the world's state.
+    /// write may only read them. NULL for none, and in open.
+    pub memory: *mut c_void,
+    /// In write: where the values of each field go, in the order of declaration; 64-byte aligned, all zero. NULL in
+    /// the other functions.
+    pub fields: *const *mut c_void,
+    /// Length of fields; 0 where it is NULL.
+    pub field_count: usize,
+}
+
+/// What a sense asks for in open. All members start as zero.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_sense_needs {
+    /// Size in the library. 256 bytes are there, zero beyond it.
+    pub struct_size: u32,
+    /// 1: advance looks at MuJoCo's sensors, MIMO_SENSOR_VALUE or fields made of them (vestibular, torques of joints):
+    /// each physics step computes them then, which costs a few percent. 0: in advance they may be those of the step
+    /// before.
+    pub sensors: u32,
+    /// Memory for this world and agent, up to 16777216.
+    pub memory_bytes: usize,
+    /// What the sense keeps for this world and agent beside its memory, such as ids that it has looked up: never
+    /// changed after open, and not part of the state.
+    pub own: *mut c_void,
+}
+
+/// A sense of your own. Worlds of a batch call its functions at the same time on several threads. The table, and all
+/// that it points to except `user`, is copied.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_sense {
+    /// sizeof(mimo_sense), set by mimo_sense_init.
+    pub struct_size: u32,
+    /// MIMO_SENSE_INTERFACE, as you compile it.
+    pub interface_version: u32,
+    /// "ct": lower-case letters, digits and _, up to 63; unique among the agent's own senses.
+    pub name: *const c_char,
+    /// One line; NULL: none.
+    pub description: *const c_char,
+    /// Of what the memory means: states of another version leave it fresh.
+    pub version: u32,
+    /// 1: the program fills the fields in the block after each call that observes; the library leaves 0 there. Then
+    /// only open and close may be set.
+    pub host_fills: u32,
+    /// Parameters, each of the size that it says, named without the sense: "rate". NULL: none.
+    pub parameters: *const mimo_parameter,
+    /// Length of parameters, up to 1000.
+    pub parameter_count: usize,
+    /// Passed to the functions.
+    pub user: *mut c_void,
+    /// Required.
+    pub open: mimo_sense_open_fn,
+    /// May be NULL.
+    pub close: mimo_sense_close_fn,
+    /// An episode starts; may be NULL.
+    pub reset: mimo_sense_fn,
+    /// After each physics step; may be NULL.
+    pub advance: mimo_sense_fn,
+    /// Required, unless the host fills the fields.
+    pub write: mimo_sense_fn,
+    /// May be NULL.
+    pub release: mimo_sense_release_fn,
+}
+
+/// A field of a sense of your own. Each agent has its own, with its prefix ("anna/ct/rate"). Limits apply to it.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_sense_field {
+    /// sizeof(mimo_sense_field), set by mimo_sense_field_init.
+    pub struct_size: u32,
+    /// MIMO_F32 (default), MIMO_U8, MIMO_I32 or MIMO_F64.
+    pub dtype: i32,
+    /// "rate" for "ct/rate"; NULL: the field has the sense's name.
+    pub name: *const c_char,
+    /// "Hz"; NULL: none.
+    pub unit: *const c_char,
+    /// Frame of reference: "world"; NULL: none.
+    pub frame: *const c_char,
+    /// ndim sizes, each at least 1, the last one changes fastest.
+    pub shape: *const usize,
+    /// Length of shape, up to 4. 0: the field is one number.
+    pub ndim: usize,
+    /// Smallest value. Default -infinity.
+    pub low: f64,
+    /// Largest value. Default infinity.
+    pub high: f64,
+    /// A name for each number; NULL: none.
+    pub labels: *const *const c_char,
+    /// Length of labels: the product of shape.
+    pub label_count: usize,
+    /// A field of touch, "touch/force": the first axis counts receptors of it. NULL: none.
+    pub skin: *const c_char,
+    /// Which ones, as that field counts them; NULL: all.
+    pub receptors: *const i32,
+    /// Length of receptors, the first size of the shape.
+    pub receptor_count: usize,
+    /// Of a skin field: how fast its nerves conduct, m/s, where the infant's delays are those of its age; 0: as fast
+    /// as large fibres at that age.
+    pub nerve_speed: f64,
 }
 
 extern "C" {
@@ -3388,4 +3561,116 @@ extern "C" {
     ///
     /// Experimental.
     pub fn mimo_recording_report(recording: *const mimo_recording, report: *mut mimo_replay_report) -> mimo_status;
+
+    /// Fills a table with defaults: no name, no functions, no parameters. Then set interface_version.
+    ///
+    /// Experimental.
+    ///
+    /// * `size`: sizeof(mimo_sense) as the caller knows it.
+    pub fn mimo_sense_init(sense: *mut mimo_sense, size: usize) -> mimo_status;
+
+    /// Fills a field with defaults: one float without bounds and without a name.
+    ///
+    /// Experimental.
+    ///
+    /// * `size`: sizeof(mimo_sense_field) as the caller knows it.
+    pub fn mimo_sense_field_init(field: *mut mimo_sense_field, size: usize) -> mimo_status;
+
+    /// Declares a field, in the function open of a sense. All that the struct points to is copied.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT for a field that no observation can have, and outside of open; MIMO_E_NOT_FOUND
+    /// for skin that the agent does not sense, with the names of its fields. A field of a name that exists is refused
+    /// when open returns.
+    ///
+    /// Experimental.
+    ///
+    /// * `env`: the world that open was given.
+    ///
+    /// * `field`: the field.
+    pub fn mimo_sense_add_field(env: *const mimo_env, field: *const mimo_sense_field) -> mimo_status;
+
+    /// Gives a field as its own sense has it at this moment, without limits, delays and the eyes of an infant's age,
+    /// in any function of a sense. The field is made for the first one who asks in a call, which costs what sensing it
+    /// costs: pictures are drawn.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT outside of a sense's functions, and for fields that the sense does not come
+    /// after.
+    ///
+    /// Experimental.
+    ///
+    /// * `env`: the world that the function was given.
+    ///
+    /// * `field`: index of a field in the world's layout (mimo_layout_find).
+    ///
+    /// * `values`: receives its first value; valid until the function returns.
+    pub fn mimo_sense_feel(env: *const mimo_env, field: usize, values: *mut *const c_void) -> mimo_status;
+
+    /// A number of the standard normal distribution that follows from its arguments alone. Senses take their noise
+    /// from here and never from mimo_env_random, whose stream belongs to the world. Never fails.
+    ///
+    /// Experimental.
+    ///
+    /// * `seed`: of mimo_sense_moment.
+    ///
+    /// * `tick`: of mimo_sense_moment; 0 for what is the same in the whole episode.
+    ///
+    /// * `number`: which one of that tick, 0, 1, ...
+    pub fn mimo_sense_noise(seed: u64, tick: u64, number: u64) -> f64;
+
+    /// Gives an agent a sense of your own, for worlds made from now on. Its fields follow the fields of all agents and
+    /// cameras. Its parameters are set by mimo_scene_set_parameter, "anna/ct/rate". With the environment variable
+    /// MIMO_CHECK_PLUGINS=1 every call of its functions is checked: writing past memory or fields, changing the memory
+    /// in write, values that are not finite or outside their bounds fail it, each by name.
+    ///
+    /// Errors: MIMO_E_UNSUPPORTED for another interface_version; MIMO_E_INVALID_ARGUMENT for a table that lacks
+    /// something, names that are in use, and parameters without a range; release is not called then.
+    /// mimo_senses_attach refuses agents with senses of your own with MIMO_E_UNSUPPORTED.
+    ///
+    /// Experimental.
+    ///
+    /// * `agent`: index of the agent.
+    ///
+    /// * `sense`: the table.
+    pub fn mimo_scene_add_sense(scene: *mut mimo_scene, agent: usize, sense: *const mimo_sense) -> mimo_status;
+
+    /// The same for a sense in a shared library, which is loaded, and unloaded after the last world that has the
+    /// sense. Loading a library runs its code: load only what you trust.
+    ///
+    /// Errors: as mimo_scene_add_sense, naming the path; MIMO_E_FILE for what cannot be loaded, with the system's
+    /// reason, and for a library without mimo_sense_entry; MIMO_E_TASK where that fails.
+    ///
+    /// Experimental.
+    ///
+    /// * `agent`: index of the agent.
+    ///
+    /// * `path`: of the library.
+    pub fn mimo_scene_load_sense(scene: *mut mimo_scene, agent: usize, path: *const c_char) -> mimo_status;
+
+    /// Describes the index-th parameter of the senses of a scene's agents that are your own, of all together:
+    /// "anna/ct/rate". Set parameter->struct_size first. The strings are valid until the scene changes.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND past the last.
+    ///
+    /// Experimental.
+    pub fn mimo_scene_sense_parameter(scene: *const mimo_scene, index: usize, parameter: *mut mimo_parameter) -> mimo_status;
+
+    /// Gives a recording a sense that it names. Worlds made of a recording (mimo_recording_env) have the senses that
+    /// its world had; a file never loads code, so that the program brings them along.
+    ///
+    /// Errors: as mimo_scene_add_sense; MIMO_E_NOT_FOUND for a sense that the recording does not have.
+    /// mimo_recording_env answers MIMO_E_UNSUPPORTED where a sense is missing, with its name.
+    ///
+    /// Experimental.
+    ///
+    /// * `sense`: the table, of the name that the recorded one had.
+    pub fn mimo_recording_add_sense(recording: *mut mimo_recording, sense: *const mimo_sense) -> mimo_status;
+
+    /// The same for a sense in a shared library.
+    ///
+    /// Errors: as mimo_recording_add_sense and mimo_scene_load_sense.
+    ///
+    /// Experimental.
+    ///
+    /// * `path`: of the library.
+    pub fn mimo_recording_load_sense(recording: *mut mimo_recording, path: *const c_char) -> mimo_status;
 }

@@ -61,6 +61,7 @@ mod reset;
 mod results;
 mod rows;
 mod scene;
+mod sense;
 mod senses;
 mod state;
 mod steps;
@@ -91,6 +92,9 @@ pub use records::*;
 pub use reset::{BatchReset, Reset};
 pub use results::{BatchResults, Results, Step};
 pub use scene::Scene;
+pub use sense::{
+    Sense, SenseField, SenseFields, SenseMoment, SenseNumber, SenseOpening, SenseParameter, SenseTable,
+};
 pub use senses::Senses;
 pub use state::LoadReport;
 pub use task::{Moment, Task, TaskField, Verdict};

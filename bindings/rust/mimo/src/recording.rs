@@ -6,6 +6,7 @@ use crate::env::Env;
 use crate::error::{c_string, check, Result};
 use crate::records::{RecordingInfo, ReplayReport};
 use crate::results::Step;
+use crate::sense::{Sense, SenseTable};
 use crate::structs::{described, pointer};
 use crate::sys;
 use crate::world::World;
@@ -116,6 +117,18 @@ impl Recording {
         let room = values.len() * std::mem::size_of::<T>();
         check(unsafe { sys::mimo_recording_read(self.handle(), name.as_ptr(), first, rows, to, room) })?;
         Ok(values)
+    }
+
+    /// Brings along a sense of your own that the recorded world had, by its name.
+    pub fn add_sense<S: Sense>(&mut self, name: &str) -> Result<()> {
+        let table = SenseTable::<S>::new(name)?;
+        check(unsafe { sys::mimo_recording_add_sense(self.handle(), table.raw()) })
+    }
+
+    /// The same for a sense in a shared library.
+    pub fn load_sense(&mut self, path: &str) -> Result<()> {
+        let path = c_string(path)?;
+        check(unsafe { sys::mimo_recording_load_sense(self.handle(), path.as_ptr()) })
     }
 
     /// Makes the recorded world from the file alone. A custom task is not in the file: the world gets one that does

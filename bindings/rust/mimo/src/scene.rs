@@ -3,6 +3,7 @@ use crate::configs::{AgentConfig, CameraConfig, FieldConfig, ModelConfig, Object
 use crate::error::{c_string, check, text, Result};
 use crate::log::Log;
 use crate::records::{Limits, Maturity};
+use crate::sense::{self, Sense, SenseParameter, SenseTable};
 use crate::structs::{defaults, pointer};
 use crate::sys;
 use crate::task::{self, Shared, Task};
@@ -169,6 +170,24 @@ impl Scene {
         check(unsafe { sys::mimo_scene_set_task(self.handle(), null()) })?;
         self.task = None;
         Ok(())
+    }
+
+    /// Gives an agent a sense of your own, for worlds made from now on. Its fields begin with `name`, and come after
+    /// those of all infants and cameras.
+    pub fn add_sense<S: Sense>(&mut self, agent: usize, name: &str) -> Result<()> {
+        let table = SenseTable::<S>::new(name)?;
+        check(unsafe { sys::mimo_scene_add_sense(self.handle(), agent, table.raw()) })
+    }
+
+    /// The same for a sense in a shared library, whose code runs: load only what you trust.
+    pub fn load_sense(&mut self, agent: usize, path: &str) -> Result<()> {
+        let path = c_string(path)?;
+        check(unsafe { sys::mimo_scene_load_sense(self.handle(), agent, path.as_ptr()) })
+    }
+
+    /// The parameters of all senses of your own.
+    pub fn sense_parameters(&self) -> Result<Vec<SenseParameter>> {
+        sense::parameters(self.handle())
     }
 
     /// Sets the distance between the touch sensors of a body, "left_hand", metres; 0: no skin there.

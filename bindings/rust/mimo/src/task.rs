@@ -241,7 +241,7 @@ unsafe extern "C" fn evaluate(
 }
 
 /// A panic must not unwind into C.
-fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
+pub(crate) fn status(work: impl FnOnce() -> Result<()>) -> sys::mimo_status {
     match catch_unwind(AssertUnwindSafe(work)) {
         Ok(Ok(())) => sys::MIMO_OK,
         Ok(Err(error)) => fail(error.status(), error.message()),

@@ -506,3 +506,80 @@ fn contact_impulses_equal_the_change_of_momentum() {
     assert!(touched);
     assert!(env.warnings().unwrap().iter().all(|count| *count == 0));
 }
+
+/// Sums an elbow's angle over physics steps; its field has the number of steps and the sum.
+struct Elbow {
+    joint: i32,
+    balance: usize,
+}
+
+impl mimo::Sense for Elbow {
+    fn parameters() -> Vec<mimo::SenseParameter> {
+        let (name, description) = ("gain".into(), "factor of the angle".into());
+        vec![mimo::SenseParameter { name, description, standard: 1.0, low: 0.0, high: 4.0 }]
+    }
+
+    fn open(opening: &mut mimo::SenseOpening) -> Result<Elbow> {
+        opening.add(&mimo::SenseField::new("", &[2]))?;
+        opening.memory = 2;
+        let world = opening.moment.world;
+        Ok(Elbow {
+            joint: world.find(Kind::JOINT, "robot:left_elbow")?,
+            balance: world.layout()?.find("vestibular/acceleration")?,
+        })
+    }
+
+    fn advance(&self, moment: &mimo::SenseMoment, memory: &mut [f64]) -> Result<()> {
+        let angle = moment.world.get(Quantity::JOINT_POSITION, &[self.joint])?[0];
+        memory[0] += 1.0;
+        memory[1] += moment.parameter(0) * angle;
+        if memory[0] == 7.0 {
+            return Err(Error::new(Status::NOT_FOUND, "no seventh"));
+        }
+        assert_eq!(moment.tick() as f64, memory[0]);
+        Ok(())
+    }
+
+    fn write(
+        &self,
+        moment: &mimo::SenseMoment,
+        memory: &[f64],
+        fields: &mut mimo::SenseFields,
+    ) -> Result<()> {
+        assert_eq!(moment.feel(self.balance)?.len(), 3);
+        for (to, from) in fields.get::<f32>(0).iter_mut().zip(memory) {
+            *to = *from as f32;
+        }
+        Ok(())
+    }
+}
+
+#[test]
+fn a_sense_of_ones_own_sees_each_physics_step() -> Result<()> {
+    let mut scene = Scene::builtin("free")?;
+    let mut agent = scene.default_agent()?;
+    agent.vision(Vision::empty());
+    scene.add_agent(&agent)?;
+    scene.add_sense::<Elbow>(0, "elbow")?;
+    assert_eq!(scene.sense_parameters()?[0].name, "elbow/gain");
+    scene.set_parameter("elbow/gain", 2.0)?;
+    let mut env = Env::new(&scene, &EnvConfig::new()?)?;
+    let mut block = env.new_block()?;
+    env.reset(Reset::new().seed(1), Some(&mut block))?;
+    let joint = env.find(Kind::JOINT, "robot:left_elbow")?;
+    for step in 1..=3 {
+        env.step(&[], Some(&mut block))?;
+        assert_eq!(block.f32("elbow")?[0], 2.0 * step as f32);
+    }
+    let angle = env.get(Quantity::JOINT_POSITION, &[joint])?[0] as f32;
+    assert!((block.f32("elbow")?[1] / 12.0 - angle).abs() < 0.1);
+    let error = env.step(&[], Some(&mut block)).unwrap_err();
+    assert_eq!(error.status(), Status::TASK);
+    assert!(error.message().contains("no seventh"), "{}", error);
+    assert_eq!(block.f32("elbow")?[0], 0.0);
+    env.step(&[], Some(&mut block))?;
+    assert_eq!(block.f32("elbow")?[0], 10.0);
+    let error = scene.load_sense(0, "/none.so").unwrap_err();
+    assert_eq!(error.status(), Status::FILE);
+    Ok(())
+}
