@@ -105,7 +105,23 @@ void WriteColor(const Grid& grid, int tile_row, int tile_column, const std::uint
   }
 }
 
-void WriteShapes(const Grid& grid, int tile_row, int tile_column, const Tile& tile) {
+// The far plane where rays meet nothing before it.
+void WriteDepths(const Grid& grid, int tile_row, int tile_column, const Tile& tile) {
+  const int lanes = static_cast<int>(hn::Lanes(D()));
+  const V end = Set(grid.frame->camera.far_plane);
+  const int width = std::min(kTile, grid.columns - tile_column * kTile);
+  const int height = std::min(kTile, grid.rows - tile_row * kTile);
+  for (int row = 0; row < height; ++row) {
+    const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * grid.columns + tile_column * kTile;
+    alignas(64) float depths[kTile];
+    for (int column = 0; column < kTile; column += lanes) {
+      Store(hn::Min(Load(tile.t + row * kTile + column), end), depths + column);
+    }
+    std::memcpy(grid.depth + start, depths, static_cast<std::size_t>(width) * sizeof(float));
+  }
+}
+
+void WriteSegments(const Grid& grid, int tile_row, int tile_column, const Tile& tile) {
   const Frame& frame = *grid.frame;
   const int width = std::min(kTile, grid.columns - tile_column * kTile);
   const int height = std::min(kTile, grid.rows - tile_row * kTile);
@@ -114,10 +130,7 @@ void WriteShapes(const Grid& grid, int tile_row, int tile_column, const Tile& ti
     for (int column = 0; column < width; ++column) {
       const int i = row * kTile + column;
       const bool hit = tile.id[i] >= 0 && tile.t[i] <= frame.camera.far_plane;
-      if (grid.depth != nullptr) grid.depth[start + column] = hit ? tile.t[i] : frame.camera.far_plane;
-      if (grid.segmentation != nullptr) {
-        grid.segmentation[start + column] = hit ? frame.solids[frame.camera.aspects[tile.id[i]].solid].id : -1;
-      }
+      grid.segmentation[start + column] = hit ? frame.solids[frame.camera.aspects[tile.id[i]].solid].id : -1;
     }
   }
 }
@@ -149,7 +162,8 @@ void DrawOneTile(const Grid& grid, int tile_row, int tile_column, Tile& tile) {
   if (!shapes) return;
   for (int k = 0; k < frame.camera.transparent_count; ++k)
     Meet(frame.solids, frame.camera, frame.camera.transparent[k], tile);
-  WriteShapes(grid, tile_row, tile_column, tile);
+  if (grid.depth != nullptr) WriteDepths(grid, tile_row, tile_column, tile);
+  if (grid.segmentation != nullptr) WriteSegments(grid, tile_row, tile_column, tile);
 }
 
 // As many tiles side by side as 0.15 radians hold.

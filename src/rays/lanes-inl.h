@@ -48,6 +48,15 @@ HWY_INLINE V Pick(M m, V a, V b) { return hn::IfThenElse(m, a, b); }
 HWY_INLINE bool None(M m) { return hn::AllFalse(D(), m); }
 HWY_INLINE bool All(M m) { return hn::AllTrue(D(), m); }
 
+// Calls of(lane) for those that a mask tells, the first one first.
+template <class Of>
+HWY_INLINE void EachLane(M m, const Of& of) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(D(), m, bytes);
+  std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+  for (; bits != 0; bits &= bits - 1) of(static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
+}
+
 struct V3 {
   V x, y, z;
 };

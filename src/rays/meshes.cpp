@@ -53,6 +53,46 @@ void add_slack(Node& node) {
   }
 }
 
+bool has_parts(const Node& node) { return node.child != 0 && node.count > static_cast<int>(Triangles::kBlock); }
+
+// Puts the boxes below a node into branches[index], and what is below them behind.
+void gather(const std::vector<Node>& nodes, std::int32_t node, std::size_t index, std::vector<Branch>& branches) {
+  std::vector<std::int32_t> boxes = {node};
+  for (int level = 0; level < 4; ++level) {
+    std::vector<std::int32_t> next;
+    for (const std::int32_t box : boxes) {
+      const bool open = has_parts(nodes[box]);
+      next.push_back(open ? nodes[box].child : box);
+      if (open) next.push_back(nodes[box].child + 1);
+    }
+    boxes = std::move(next);
+  }
+  Branch branch;
+  for (const std::int32_t box : boxes) {
+    const int i = branch.count++;
+    branch.node[i] = box;
+    branch.first[i] = nodes[box].first;
+    branch.triangles[i] = nodes[box].count;
+    if (!has_parts(nodes[box])) continue;
+    branch.branch[i] = static_cast<std::int32_t>(branches.size());
+    branches.emplace_back();
+    gather(nodes, box, branches.size() - 1, branches);
+  }
+  branches[index] = branch;
+}
+
+void copy_boxes(Mesh& mesh) {
+  for (Branch& branch : mesh.branches) {
+    for (int i = 0; i < branch.count; ++i) {
+      const Node& node = mesh.nodes[branch.node[i]];
+      for (int k = 0; k < 3; ++k) {
+        branch.low[k][i] = node.low[k];
+        branch.high[k][i] = node.high[k];
+      }
+    }
+  }
+}
+
 void measure(Mesh& mesh) {
   const Node& root = mesh.nodes[0];
   for (int k = 0; k < 3; ++k) mesh.half[k] = std::max({-root.low[k], root.high[k], 0.0F});
@@ -112,6 +152,7 @@ void refit(Mesh& mesh) {
       node->high[k] = std::max(one.high[k], other.high[k]);
     }
   }
+  copy_boxes(mesh);
   measure(mesh);
 }
 
@@ -142,6 +183,9 @@ Mesh MeshBuilder::finish(bool textured) {
   std::iota(order_.begin(), order_.end(), 0);
   mesh.nodes.resize(1);
   split(0, 0, count, mesh.nodes);
+  mesh.branches.resize(1);
+  gather(mesh.nodes, 0, 0, mesh.branches);
+  copy_boxes(mesh);
   mesh.triangles.resize(triangles_.size());
   for (std::size_t i = 0; i < order_.size(); ++i) {
     mesh.triangles.set(i, triangles_[order_[i]]);
@@ -156,7 +200,8 @@ float MeshBuilder::middle(int triangle, int k) const {
   return corner_of(t, 0, k) + corner_of(t, 1, k) + corner_of(t, 2, k);
 }
 
-// Halves triangles first..first + count along the axis on which their middles spread most.
+// Halves triangles first..first + count along the axis on which their middles spread most; where they are more than one
+// block, between two of these.
 void MeshBuilder::split(int index, int first, int count, std::vector<Node>& nodes) {
   Node node;
   empty(node);
@@ -179,7 +224,8 @@ void MeshBuilder::split(int index, int first, int count, std::vector<Node>& node
     spread[k] = most - least;
   }
   const int axis = static_cast<int>(std::max_element(spread, spread + 3) - spread);
-  const int half = count / 2;
+  constexpr int kBlock = Triangles::kBlock;
+  const int half = count > kBlock ? (count / 2 + kBlock - 1) / kBlock * kBlock : count / 2;
   const auto begin = order_.begin() + first;
   std::nth_element(begin, begin + half, begin + count, [this, axis](int a, int b) {
     return std::make_pair(middle(a, axis), a) < std::make_pair(middle(b, axis), b);

@@ -18,33 +18,35 @@ struct Triangle {
   std::array<float, 3> corner{}, edge1{}, edge2{};
 };
 
-// Triangles by their nine numbers, each of which has an array of its own: a vector holds one of many triangles.
+// Triangles by their nine numbers, in blocks: a vector holds the same number of many triangles.
 class Triangles {
  public:
-  static constexpr int kNumbers = 9;
-  static constexpr std::size_t kBeyond = 16;  // so many more may be read after the last
+  static constexpr std::size_t kBlock = 16;  // triangles; unused ones of the last are without size
+  // Corner, edge1, edge2, of x, y, z each.
+  struct Block {
+    alignas(64) float number[9][kBlock]{};
+  };
 
-  void resize(std::size_t count) {
-    for (auto& of_all : numbers_) of_all.resize(count + kBeyond);
-  }
+  void resize(std::size_t count) { blocks_.resize((count + kBlock - 1) / kBlock); }
   void set(std::size_t i, const Triangle& triangle) {
+    Block& block = blocks_[i / kBlock];
     for (std::size_t k = 0; k < 3; ++k) {
-      numbers_[k][i] = triangle.corner[k];
-      numbers_[3 + k][i] = triangle.edge1[k];
-      numbers_[6 + k][i] = triangle.edge2[k];
+      block.number[k][i % kBlock] = triangle.corner[k];
+      block.number[3 + k][i % kBlock] = triangle.edge1[k];
+      block.number[6 + k][i % kBlock] = triangle.edge2[k];
     }
   }
   Triangle operator[](std::size_t i) const {
-    const auto three = [&](std::size_t k) {
-      return std::array<float, 3>{numbers_[k][i], numbers_[k + 1][i], numbers_[k + 2][i]};
+    const auto three = [&block = blocks_[i / kBlock], i](std::size_t k) {
+      return std::array<float, 3>{block.number[k][i % kBlock], block.number[k + 1][i % kBlock],
+                                  block.number[k + 2][i % kBlock]};
     };
     return {three(0), three(3), three(6)};
   }
-  // Corner, edge1, edge2, of x, y, z each.
-  const float* number(int k, std::size_t from) const { return numbers_[static_cast<std::size_t>(k)].data() + from; }
+  const Block& block(std::size_t i) const { return blocks_[i]; }
 
  private:
-  std::array<std::vector<float>, kNumbers> numbers_;
+  std::vector<Block> blocks_;
 };
 
 // What is known of each point p of a triangle. It lies at  corner + u edge1 + v edge2  with u = to_u . (p - corner) and
@@ -65,10 +67,25 @@ struct Node {
   std::int32_t axis = 0;              // along which the first child comes first
 };
 
-struct Mesh {
-  static constexpr int kDepth = 48;  // of the tree, at most
+// Up to sixteen boxes of that tree, all of which are looked at together: those four levels below the box that this is
+// made of, or those on the way there that bound one block of triangles or less.
+struct Branch {
+  static constexpr int kBoxes = 16;
 
-  std::vector<Node> nodes;  // the root first; none if there are no triangles
+  alignas(64) float low[3][kBoxes]{}, high[3][kBoxes]{};
+  std::int32_t node[kBoxes]{};       // in the tree
+  std::int32_t branch[kBoxes]{};     // that continues it; 0 for none
+  std::int32_t first[kBoxes]{};      // triangle
+  std::int32_t triangles[kBoxes]{};  // how many
+  std::int32_t count = 0;            // of boxes
+};
+
+struct Mesh {
+  static constexpr int kDepth = 48;   // of the tree, at most
+  static constexpr int kStack = 128;  // branches that wait to be looked at, at most: fifteen of each of 23 / 4 levels
+
+  std::vector<Node> nodes;       // the root first; none if there are no triangles
+  std::vector<Branch> branches;  // likewise
   Triangles triangles;
   std::vector<Surface> surfaces;  // of the same triangles
   std::array<float, 3> half{};    // of the box around the origin that holds it all

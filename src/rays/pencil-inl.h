@@ -8,6 +8,8 @@
 #define MIMO_RAYS_PENCIL_INL_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,6 +17,7 @@
 
 #include "rays/camera.h"
 #include "rays/lanes-inl.h"
+#include "rays/mesh-inl.h"
 #include "rays/meshes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,11 +30,6 @@ struct Pencil {
   float farthest;
 };
 
-// Bounds of a triangle's slopes.
-struct Outline {
-  float low[2], high[2];
-};
-
 // The sides of a pencil, in the frame of a mesh: planes that have it before them.
 class Sides {
  public:
@@ -41,7 +39,7 @@ class Sides {
       distance_[i] = from;
       for (int k = 0; k < 3; ++k) {
         const float n = along_x * aspect.bx[k] + along_y * aspect.by[k] + along_z * aspect.a[k];
-        normal_[k][i] = n;
+        normal_[i][k] = n;
         distance_[i] -= n * aspect.o[k];
         size += std::abs(n) * (std::abs(aspect.o[k]) + mesh.half[k]);
       }
@@ -53,32 +51,42 @@ class Sides {
     put(3, 0, -1, pencil.high[1], 0);
     put(4, 0, 0, 1, 0);
     put(5, 0, 0, -1, pencil.farthest);
-    for (int i = 6; i < kPlaces; ++i) put(i, 0, 0, 0, 1);
   }
 
-  HWY_INLINE bool may_meet(const Node& node) const {
-    const P d;
-    for (int i = 0; i < kPlaces; i += static_cast<int>(hn::Lanes(d))) {
-      auto most = hn::Load(d, distance_ + i);
+  // The boxes `first` and following that rays of the pencil may meet.
+  HWY_INLINE M may_meet(const Branch& branch, int first) const {
+    M may = hn::FirstN(D(), static_cast<std::size_t>(branch.count - first));
+    for (int i = 0; i < kSides; ++i) {
+      V most = Set(distance_[i]);
       for (int k = 0; k < 3; ++k) {
-        const auto n = hn::Load(d, normal_[k] + i);
-        most = most + hn::Max(n * hn::Set(d, node.low[k]), n * hn::Set(d, node.high[k]));
+        const float n = normal_[i][k];
+        most = most + Set(n) * Load((n > 0 ? branch.high : branch.low)[k] + first);
       }
-      if (!hn::AllTrue(d, hn::Ge(most, hn::Zero(d)))) return false;
+      may = hn::And(may, hn::Ge(most, Zero()));
     }
-    return true;
+    return may;
   }
 
  private:
-  static constexpr int kPlaces = 8;
-  using P = hn::CappedTag<float, kPlaces>;
+  static constexpr int kSides = 6;
 
-  alignas(64) float normal_[3][kPlaces];
-  alignas(64) float distance_[kPlaces];
+  float normal_[kSides][3];
+  float distance_[kSides];
 };
 
-// Calls meet(index, outline) of triangles that turn to the eye and that rays of a pencil may meet: at least of all that
-// they do meet. An outline is a hair too large.
+// For what is rounded in slopes of a triangle's corners, relative to one and more.
+constexpr float kHairOfOutline = 1e-5F;
+
+// Triangles that rays of a pencil may meet, one a lane.
+struct Candidates {
+  V number[9];        // corner, edge1, edge2
+  V at[3][2];         // slopes of the corners, nothing of use where they are bound by kMiss
+  V low[2], high[2];  // bounds of them, a hair too large
+  M may;
+};
+
+// Calls meet(first, candidates) of triangles that turn to the eye and that rays of a pencil may meet: at least of all
+// that they do meet.
 class Sifter {
  public:
   Sifter(const Mesh& mesh, const Aspect& aspect, const Pencil& pencil)
@@ -86,47 +94,65 @@ class Sifter {
 
   template <class Meet>
   HWY_INLINE void each(const Meet& meet) const {
-    if (mesh_.nodes.empty()) return;
-    std::int32_t stack[Mesh::kDepth];
+    if (mesh_.branches.empty()) return;
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    std::int32_t stack[Mesh::kStack];
     int depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
-      const Node& node = mesh_.nodes[static_cast<std::size_t>(stack[--depth])];
-      if (!sides_.may_meet(node)) continue;
-      if (node.count > kMany && node.child != 0) {
-        stack[depth++] = node.child + 1;
-        stack[depth++] = node.child;
-        continue;
+      const Branch& branch = mesh_.branches[static_cast<std::size_t>(stack[--depth])];
+      for (int first = 0; first < branch.count; first += lanes) {
+        const M may = sides_.may_meet(branch, first);
+        EachLane(may, [&](int lane) {
+          const int i = first + lane;
+          if (branch.branch[i] != 0) {
+            stack[depth++] = branch.branch[i];
+            hwy::Prefetch(&mesh_.branches[static_cast<std::size_t>(branch.branch[i])]);
+          } else {
+            const Triangles::Block& block = block_of(branch.first[i]);
+            for (int k = 0; k < 9; ++k) hwy::Prefetch(block.number[k]);
+          }
+        });
+        EachLane(may, [&](int lane) {
+          const int i = first + lane;
+          if (branch.branch[i] == 0) sift(branch.first[i], branch.triangles[i], meet);
+        });
       }
-      const int lanes = static_cast<int>(hn::Lanes(D()));
-      for (int i = 0; i < node.count; i += lanes) sift(node.first + i, node.count - i, meet);
     }
   }
 
  private:
-  static constexpr int kMany = 16;  // triangles that are looked at without their own boxes
-
-  HWY_INLINE V3 three(int k, int first) const {
-    static_assert(Triangles::kBeyond >= hn::MaxLanes(D()), "a vector may reach beyond the last triangle");
-    const auto get = [&](int i) { return hn::LoadU(D(), mesh_.triangles.number(i, static_cast<std::size_t>(first))); };
-    return {get(k), get(k + 1), get(k + 2)};
+  HWY_INLINE const Triangles::Block& block_of(int first) const {
+    return mesh_.triangles.block(static_cast<std::size_t>(first) / Triangles::kBlock);
   }
 
   template <class Meet>
   HWY_INLINE void sift(int first, int count, const Meet& meet) const {
-    const V3 e1 = three(3, first);
-    const V3 e2 = three(6, first);
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    const Triangles::Block& block = block_of(first);
+    for (int i = 0; i < count; i += lanes) {
+      Candidates found;
+      for (int k = 0; k < 9; ++k) found.number[k] = Load(block.number[k] + i);
+      found.may = hn::FirstN(D(), static_cast<std::size_t>(count - i));
+      if (outline(found)) meet(first + i, found);
+    }
+  }
+
+  // Whether any of these may be met.
+  HWY_INLINE bool outline(Candidates& found) const {
+    const auto three = [&](int k) { return V3{found.number[k], found.number[k + 1], found.number[k + 2]}; };
+    const V3 e1 = three(3);
+    const V3 e2 = three(6);
     V3 q[3];
-    q[0] = three(0, first) - Set(aspect_.o);
+    q[0] = three(0) - Set(aspect_.o);
     q[1] = q[0] + e1;
     q[2] = q[0] + e2;
-    const int lanes = static_cast<int>(hn::Lanes(D()));
-    M may = hn::FirstN(D(), static_cast<std::size_t>(std::min(count, lanes)));
+    M may = found.may;
     const V3 n = Cross(e1, e2);
     const V edgeways = Set(1e-9F) * Dot(q[0], q[0]) * Dot(n, n);
     const V away = Dot(q[0], n);
     may = hn::And(may, hn::Or(hn::Le(away, Zero()), hn::Le(away * away, edgeways)));
-    if (None(may)) return;
+    if (None(may)) return false;
     V nearest = Dot(q[0], Set(aspect_.a));
     V farthest = nearest;
     V low[2] = {Set(kMiss), Set(kMiss)};
@@ -136,6 +162,8 @@ class Sifter {
       const V over = Set(1.0F) / hn::Max(z, Set(1e-20F));
       const V x = Dot(q[corner], Set(aspect_.bx)) * over;
       const V y = Dot(q[corner], Set(aspect_.by)) * over;
+      found.at[corner][0] = x;
+      found.at[corner][1] = y;
       nearest = hn::Min(nearest, z);
       farthest = hn::Max(farthest, z);
       low[0] = hn::Min(low[0], x);
@@ -146,21 +174,15 @@ class Sifter {
     // What reaches behind the eye may be anywhere.
     const M behind = hn::Le(nearest, Set(1e-3F) * hn::Abs(farthest));
     may = hn::And(may, hn::And(hn::Gt(farthest, Zero()), hn::Le(nearest, Set(pencil_.farthest * (1 + 1e-5F)))));
-    alignas(64) float bounds[4][hn::MaxLanes(D())];
     for (int k = 0; k < 2; ++k) {
-      const V hair = Set(1e-5F) * (Set(1.0F) + hn::Max(hn::Abs(low[k]), hn::Abs(high[k])));
-      low[k] = Pick(behind, Set(-kMiss), low[k] - hair);
-      high[k] = Pick(behind, Set(kMiss), high[k] + hair);
-      may = hn::And(may, hn::And(hn::Le(low[k], Set(pencil_.high[k])), hn::Ge(high[k], Set(pencil_.low[k]))));
-      Store(low[k], bounds[k]);
-      Store(high[k], bounds[2 + k]);
+      const V hair = Set(kHairOfOutline) * (Set(1.0F) + hn::Max(hn::Abs(low[k]), hn::Abs(high[k])));
+      found.low[k] = Pick(behind, Set(-kMiss), low[k] - hair);
+      found.high[k] = Pick(behind, Set(kMiss), high[k] + hair);
+      may =
+          hn::And(may, hn::And(hn::Le(found.low[k], Set(pencil_.high[k])), hn::Ge(found.high[k], Set(pencil_.low[k]))));
     }
-    if (None(may)) return;
-    alignas(64) std::int32_t wanted[hn::MaxLanes(D())];
-    hn::Store(hn::IfThenElseZero(hn::RebindMask(DI(), may), SetI(1)), DI(), wanted);
-    for (int i = 0; i < lanes; ++i) {
-      if (wanted[i] != 0) meet(first + i, Outline{{bounds[0][i], bounds[1][i]}, {bounds[2][i], bounds[3][i]}});
-    }
+    found.may = may;
+    return !None(may);
   }
 
   const Mesh& mesh_;
