@@ -1,7 +1,8 @@
 """Key points of videos and marker sets: their places on an infant, their tables, and cameras.
 
 A table has a column `time` in s, and for each point NAME:x, NAME:y, NAME:z in m, world frame, or NAME:u, NAME:v in
-pixels from the upper left corner; NAME:w is its confidence, 0 to 1. An empty cell is an unseen point.
+pixels from the upper left corner; NAME:w is its confidence, 0 to 1. An empty cell is an unseen point. Tables of
+DeepLabCut and folders of OpenPose have no times: their frames a second have to be given.
 """
 
 from __future__ import annotations
@@ -9,7 +10,8 @@ from __future__ import annotations
 import csv
 import json
 from collections import Counter
-from typing import Dict, List, NamedTuple, Sequence, Tuple, Union
+from pathlib import Path
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +21,7 @@ from .constants import Kind, Quantity
 from .drawing import prefixes
 from .errors import NotFoundError
 from .frames import inverse, turned
+from .pose_tables import Tracks, common_names, is_deeplabcut, read_deeplabcut, read_openpose
 from .results import Numbers
 from .world import World
 
@@ -44,6 +47,7 @@ class KeyPoints(NamedTuple):
     names: List[str]
     values: Numbers  # NaN for unseen points
     weights: Numbers  # 0 for unseen points
+    left_out: Tuple[str, ...] = ()  # names in the file that have no place on the infant
 
 
 class Camera:
@@ -142,8 +146,40 @@ def _end_of_parent(world: World, body: str, lead: str) -> Place:
     return parent[len(lead) :], turned(inverse(pose[3:]), at[:3] - pose[:3])[0]
 
 
-def read_points(path: str) -> KeyPoints:
-    """A table of key points; a ValueError names the wrong line and column."""
+def read_points(path: str, rate: Optional[float] = None) -> KeyPoints:
+    """A table of key points; a ValueError names the wrong line and column.
+
+    Tables of DeepLabCut and folders of OpenPose need `rate`, their frames a second. Names with capitals, as those of
+    SMIL (`leftThigh`), are taken for the points that they mean; what has no place on the infant is left out.
+    """
+    if Path(path).is_dir() or is_deeplabcut(path):
+        return _of_video(path, read_openpose(path) if Path(path).is_dir() else read_deeplabcut(path), rate)
+    if rate is not None:
+        raise ValueError(f"rate is {rate:g}, but {path} has times itself")
+    points = _read_table(path)
+    if not any(letter.isupper() for name in points.names for letter in name):
+        return points
+    return _chosen(path, points)
+
+
+def _of_video(path: str, tracks: Tracks, rate: Optional[float]) -> KeyPoints:
+    if rate is None or not 0 < rate < float("inf"):
+        raise ValueError(f"{path} has no times, and rate is {rate}, expected its frames a second, more than 0")
+    times = np.arange(len(tracks.pixels)) / rate
+    return _chosen(path, KeyPoints(times, tracks.names, tracks.pixels, tracks.confidence))
+
+
+def _chosen(path: str, points: KeyPoints) -> KeyPoints:
+    """The points whose names are known, by the names that they have here."""
+    common = common_names(points.names)
+    if not common:
+        raise ValueError(f"{path}: no name is known, of {', '.join(points.names)}")
+    kept = [points.names.index(name) for name in common]
+    left_out = tuple(name for name in points.names if name not in common)
+    return KeyPoints(points.times, list(common.values()), points.values[:, kept], points.weights[:, kept], left_out)
+
+
+def _read_table(path: str) -> KeyPoints:
     lines = _cells(path)
     header = [cell.strip() for cell in lines[0]] if lines else []
     if "time" not in header:

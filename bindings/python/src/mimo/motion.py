@@ -7,6 +7,7 @@
 
     python -m mimo.motion points.csv --out motion.csv --errors errors.csv --age 6
     python -m mimo.motion video.csv --camera camera.json --out motion.csv
+    python -m mimo.motion deeplabcut.csv --rate 30 --camera camera.json --out motion.csv    # or a folder of OpenPose
 
 Each frame is a least-squares fit over the joints that move the points, within their limits, from the frame before.
 Joints that the points hardly determine stay near the first pose.
@@ -299,7 +300,9 @@ def _report(found: Found, unit: str, factor: float) -> str:
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m mimo.motion", description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("points", help="table of key points: time, NAME:x, NAME:y, NAME:z or NAME:u, NAME:v, NAME:w")
+    told = "time, NAME:x, NAME:y, NAME:z or NAME:u, NAME:v, NAME:w"
+    parser.add_argument("points", help=f"table of key points: {told}; or of DeepLabCut; or a folder of OpenPose")
+    parser.add_argument("--rate", type=float, help="frames a second, of DeepLabCut and OpenPose")
     parser.add_argument("--out", required=True, help="joints, a table for mimo replay --motion")
     parser.add_argument("--errors", help="how far each point is from where it was seen, a table")
     parser.add_argument("--camera", help="JSON: matrix, or fovy, width, height, position and look_at")
@@ -311,7 +314,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     try:
         for path in filter(None, (options.out, options.errors)):
             require_writable(path)  # before the work, not after it
-        points = read_points(options.points)
+        points = read_points(options.points, options.rate)
         camera = Camera.read(options.camera) if options.camera else None
         scene = Scene(options.scene)
         growth: Dict[str, Any] = {} if options.age is None else {"age": options.age}
@@ -329,6 +332,8 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
         return 1
     flat = points.values.shape[2] == 2
     print(_report(found, "pixels" if flat else "mm", 1 if flat else 1000))
+    if points.left_out:
+        print(f"no places on the infant: {', '.join(points.left_out)}")
     return 0
 
 
