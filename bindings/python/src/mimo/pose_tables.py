@@ -14,7 +14,7 @@ from typing import Any, Dict, List, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-# Names without side and in small letters, as src/motion/markers.cpp has them for files of markers.
+# Names without their side, in small letters.
 OF_SIDES: Dict[str, Sequence[str]] = {
     "shoulder": ("shoulder", "sho", "shld", "acromion", "upperarm", "arm"),
     "elbow": ("elbow", "elb", "forearm", "lowerarm"),
@@ -90,7 +90,7 @@ class Tracks(NamedTuple):
 def common_names(names: Sequence[str]) -> Dict[str, str]:
     """The names that have a place on the infant: "LBigToe" is "left_toes". Others are left out."""
     arms = any(_plain(name) in ("leftupperarm", "leftarm") for name in names)
-    found = {}
+    found: Dict[str, str] = {}
     for name in names:
         common = "" if arms and _plain(name) in CLAVICLES else _common(_plain(name))
         if common and common not in found.values():
