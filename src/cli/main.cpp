@@ -17,6 +17,7 @@ void describe(CLI::App& program) {
   cli::add_export(program);
   cli::add_record(program);
   cli::add_replay(program);
+  cli::add_new(program);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "'mimo COMMAND --help' explains a command.\n"
@@ -29,7 +30,7 @@ void describe(CLI::App& program) {
 // Here and not by require_subcommand(1), which hides what it met instead of a command.
 void require_command(const CLI::App& program) {
   if (program.get_subcommands().empty())
-    throw CLI::RequiredError("a command (run, info, render, rollout, export, record or replay)");
+    throw CLI::RequiredError("a command (run, info, render, rollout, export, record, replay or new)");
 }
 
 }  // namespace
