@@ -61,8 +61,10 @@ env::AgentOptions& Agents::at(std::size_t agent) {
 void Agents::require_name(const std::string& name) const {
   document::require_plain(name);
   for (const env::AgentOptions& other : agents_) {
-    require(other.name != name, "name: there is an agent \"{}\" already", name);
-    require(!other.name.empty() && !name.empty(), "name is \"\", but each of several agents needs a name");
+    require(!name.empty(), "name is \"\", but each of several agents needs a name of its own, such as \"anna\"");
+    require(!other.name.empty(),
+            "name is \"{}\", but the agent before it has none; each of several agents needs a name of its own", name);
+    require(other.name != name, "name: there is an agent \"{}\" already; each needs a name of its own", name);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <mimo/mimo.hpp>
 #include <string>
+#include <vector>
 
 #include "programs/text.h"
 
@@ -22,6 +23,43 @@ constexpr int kWrongUsage = 2;
 int complain(const CLI::App& program, const std::string& message, int code) {
   std::fprintf(stderr, "%s: %s\n", command_name(program).c_str(), one_line(message).c_str());
   return code;
+}
+
+std::vector<std::string> options_of(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : program.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> commands_of(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::string did_you_mean(const std::string& wanted, const std::vector<std::string>& names) {
+  const std::string meant = nearest(wanted, names);
+  return meant.empty() ? "" : "; did you mean " + meant + "?";
+}
+
+// About the first argument that nobody took: CLI11 would quote all of them, the last one first.
+std::string unexpected(const CLI::App& program) {
+  const std::vector<CLI::App*> given = program.get_subcommands();
+  const CLI::App& at = given.empty() ? program : *given.back();
+  const std::string argument = at.remaining().empty() ? "" : at.remaining().front();
+  const std::string option = argument.substr(0, argument.find('='));
+  const auto has_option = [&](const CLI::App* command) { return command->get_option_no_throw(option) != nullptr; };
+  const std::vector<const CLI::App*> commands = at.get_subcommands({});
+  if (option.rfind('-', 0) != 0) {
+    return commands.empty() ? "'" + argument + "' was not expected, only options"
+                            : "there is no command " + argument + did_you_mean(argument, commands_of(at));
+  }
+  if (const auto found = std::find_if(commands.begin(), commands.end(), has_option); found != commands.end()) {
+    return option + " belongs behind a command, such as " + (*found)->get_name();
+  }
+  return "there is no option " + option + did_you_mean(option, options_of(at));
 }
 
 // A full disk shows only here.
@@ -63,7 +101,9 @@ int run_program(CLI::App& program, const std::function<void()>& describe, const 
   } catch (const CLI::Success& request) {  // --help, --version
     return program.exit(request);
   } catch (const CLI::ParseError& error) {
-    return complain(program, std::string(error.what()) + " (see " + command_name(program) + " --help)", kWrongUsage);
+    const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const std::string what = extra ? unexpected(program) : error.what();
+    return complain(program, what + " (see " + command_name(program) + " --help)", kWrongUsage);
   } catch (const std::exception& error) {
     return complain(program, error.what(), kFailed);
   }

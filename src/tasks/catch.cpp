@@ -76,7 +76,7 @@ class Catch : public Task {
 
 Catch::Catch(const mjModel& model, const body::Body& body, const Settings& settings)
     : Task({{"contact", 0}, {"effort", 0}, {"failure", 0}, {"success", 0}}),
-      ball_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
+      ball_(target_of(model, body, "catch", "a free ball")),
       palm_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_hand")),
       ball_address_(engine::free_joint_address(model, ball_)),
       skin_(body::bodies_with_skin(model, body)),

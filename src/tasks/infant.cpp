@@ -29,6 +29,19 @@ const body::Joint& joint_of(const mjModel& model, const body::Body& body, const 
 
 }  // namespace
 
+int target_of(const mjModel& model, const body::Body& body, const char* task, const char* what) {
+  const std::string name = body.prefix + "target";
+  const int id = engine::find(model, engine::Kind::kBody, name.c_str());
+  if (id < 0) {
+    fail(Status::kNotFound,
+         "task \"{}\" needs a body named \"{}\", {}, and this scene has none: take the built-in scene \"{}\", or add "
+         "such a "
+         "body to yours",
+         task, name, what, task);
+  }
+  return id;
+}
+
 bool touches(const engine::Physics& physics, const std::vector<int>& bodies, int other) {
   for (const engine::Meeting& met : engine::Contacts(physics.model(), physics.data())) {
     const auto [first, second] = met.bodies;

@@ -29,6 +29,9 @@ inline Eigen::Vector3d center(const engine::Physics& physics, const std::vector<
 
 inline void put(const Eigen::Vector3d& vector, double* out) { Eigen::Map<Eigen::Vector3d>{out} = vector; }
 
+// The thing that a task is about, body "target" of the infant's scene; `task` is its name, `what` what it has to be.
+int target_of(const mjModel& model, const body::Body& body, const char* task, const char* what);
+
 // Who touches whom, by the contacts that the last physics step found.
 
 // Whether any of the bodies touches the other one.

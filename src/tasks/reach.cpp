@@ -64,7 +64,7 @@ class Reach : public Task {
 
 Reach::Reach(const mjModel& model, const body::Body& body, const Settings& settings)
     : Task({{"distance", 0}, {"success", 0}}),
-      target_(engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "target")),
+      target_(target_of(model, body, "reach", "which the right hand is to touch")),
       fingers_(body::right_fingers(model, body)),
       target_address_(engine::free_joint_address(model, target_)),
       arm_(body::subtree(model, engine::find_or_fail(model, engine::Kind::kBody, body.prefix + "right_upper_arm"))),

@@ -50,6 +50,20 @@ class Usage(Case):
             self.assertIn("octopus", self.mimo(*command, "--body", "octopus", code=1))
         self.assertEqual(self.files(), [])
 
+    def test_the_nearest_option_or_command_is_named(self):
+        for arguments, said in ((["run", "--secnds", "3"], "mimo run: there is no option --secnds; did you mean --seconds?"),
+                                (["run", "--vison=off"], "mimo run: there is no option --vison; did you mean --vision?"),
+                                (["render", "--widht", "3", "--out", "a.png"], "no option --widht; did you mean --width?"),
+                                (["run", "--tasks", "reach"], "there is no option --tasks (see mimo run --help)"),
+                                (["rnu"], "mimo: there is no command rnu; did you mean run? (see mimo --help)"),
+                                (["recrod", "--out", "a.h5"], "there is no command recrod; did you mean record?"),
+                                (["walk"], "mimo: there is no command walk (see mimo --help)"),
+                                (["run", "reach"], "mimo run: 'reach' was not expected, only options"),
+                                (["--seconds", "3"], "mimo: --seconds belongs behind a command, such as run")):
+            with self.subTest(arguments=arguments):
+                self.assertIn(said, self.mimo(*arguments, code=2))
+        self.assertEqual(self.files(), [])
+
     def test_places_that_cannot_be_written_are_found_before_any_work(self):
         # What would take work is missing or too long: the complaint is still about the place.
         for command in (["render", "--scene", "moon", "--out"], ["render", "--scene", "moon", "--out", "a.png", "--depth"]):

@@ -20,9 +20,31 @@ def step_twice(envs, actions):
     envs.step(actions)
 
 
+def two_infants(first, second):
+    scene = mimo.Scene("free")
+    scene.add_agent(name=first)
+    scene.add_agent(name=second)
+
+
 CASES = {
     "scene": (lambda: mimo.make("reech"), LookupError, 'no scene named "reech"; did you mean "reach"?'),
     "task": (lambda: world("free", task="reech"), LookupError, 'no task named "reech"; did you mean "reach"?'),
+    "task without its body": (
+        lambda: world("free", task="catch"),
+        LookupError,
+        r'task "catch" needs a body named "target", a free ball, and this scene has none: '
+        r'take the built-in scene "catch", or add such a body to yours',
+    ),
+    "infants without names": (
+        lambda: two_infants("", ""),
+        ValueError,
+        'name is "", but each of several agents needs a name of its own, such as "anna"',
+    ),
+    "infant beside one without a name": (
+        lambda: two_infants("", "ben"),
+        ValueError,
+        'name is "ben", but the agent before it has none',
+    ),
     "option": (lambda: mimo.make("reach", visoin=True), TypeError, "'visoin'; did you mean 'vision'?"),
     "part of an option": (lambda: mimo.World("reach", width=64), TypeError, "'width'; did you mean 'vision_width'?"),
     "option of a scene": (lambda: mimo.Scene(path="a.xml"), TypeError, "There are: confined, file, "),

@@ -39,13 +39,18 @@ TEST(BlueprintAgents, AreNumberedInTheirOrder) {
 TEST(BlueprintAgents, HaveDifferentNames) {
   Blueprint blueprint = room();
   EXPECT_EQ(joining(blueprint, infant_at("anna", 0)), "");
-  EXPECT_EQ(joining(blueprint, infant_at("anna", 2)), "name: there is an agent \"anna\" already");
-  EXPECT_EQ(joining(blueprint, infant_at("", 2)), "name is \"\", but each of several agents needs a name");
+  EXPECT_EQ(joining(blueprint, infant_at("anna", 2)),
+            "name: there is an agent \"anna\" already; each needs a name of its own");
+  EXPECT_EQ(joining(blueprint, infant_at("", 2)),
+            "name is \"\", but each of several agents needs a name of its own, such as \"anna\"");
   EXPECT_EQ(joining(blueprint, infant_at("a/b", 2)), "name is \"a/b\", expected letters, digits, '_', '-' and '.'");
 
   Blueprint other = room();
   EXPECT_EQ(joining(other, infant_at("", 0)), "");
-  EXPECT_EQ(joining(other, infant_at("ben", 2)), "name is \"\", but each of several agents needs a name");
+  EXPECT_EQ(joining(other, infant_at("", 2)),
+            "name is \"\", but each of several agents needs a name of its own, such as \"anna\"");
+  EXPECT_EQ(joining(other, infant_at("ben", 2)),
+            "name is \"ben\", but the agent before it has none; each of several agents needs a name of its own");
 }
 
 TEST(BlueprintAgents, ARootBelongsToTheScene) {
