@@ -31,7 +31,7 @@ class Bench(Case):
         self.assertEqual(result["touch_sensors"], 5685)
         self.assertGreater(result["split_ms"]["touch"], 0)
 
-    def test_without_touch(self):
+    def test_touch_off_has_no_time_for_touch(self):
         result = self.bench("--vision", "off", "--touch", "off", "--steps", "3")
         self.assertEqual((result["touch_sensors"], result["split_ms"]["touch"]), (0, 0))
 
@@ -42,10 +42,10 @@ class Bench(Case):
         self.assertEqual(allocations, 0)
 
     @needs_renderer
-    def test_vision_is_counted(self):
+    def test_vision_has_its_share_of_the_time(self):
         self.assertGreater(self.bench("--vision", "32", "--steps", "5")["split_ms"]["vision"], 0)
 
-    def test_many_worlds(self):
+    def test_many_worlds_are_measured_together(self):
         result = self.bench("--scene", "reach", "--vision", "off", "--steps", "12", "--worlds", "4", "--threads", "2")
         self.assertLessEqual(self.KEYS, set(result))
         self.assertEqual((result["steps"], result["worlds"], result["threads"]), (12, 4, 2))
@@ -57,7 +57,7 @@ class Bench(Case):
         one_thread = self.bench("--scene", "reach", "--vision", "off", "--steps", "3", "--worlds", "2")
         self.assertNotIn("scaling", one_thread)
 
-    def test_actuation(self):
+    def test_every_kind_of_actuation_is_measured_without_allocating(self):
         # A warning would say that the twin without senses went another way.
         for actuation in ("position", "muscle", "mujoco-muscle"):
             result = self.bench("--vision", "off", "--steps", "120", "--actuation", actuation)
@@ -73,7 +73,7 @@ class Bench(Case):
     def test_more_threads_than_worlds(self):
         self.assertIn("--threads", self.mimo_bench("--worlds", "2", "--threads", "3", code=1))
 
-    def test_other_scenes(self):
+    def test_other_scenes_can_be_measured(self):
         self.assertEqual(self.bench("--scene", "free", "--vision", "off", "--steps", "3")["steps"], 3)
 
     def test_wrong_usage(self):
@@ -86,7 +86,7 @@ class Bench(Case):
             self.assertIn(unknown, self.mimo_bench("--vision", "off", option, unknown, code=1))
         self.assertIn("no folder", self.mimo_bench("--paper", "--csv", "no/a.csv", code=1))
 
-    def test_for_people(self):
+    def test_without_json_it_prints_a_table(self):
         self.assertRegex(self.mimo_bench("--vision", "off", "--steps", "3"), r"ms_per_step +\d")
         self.assertEqual(self.files(), [])
 

@@ -56,7 +56,7 @@ def placed(node, points):
 
 
 class Export(Case):
-    def test_scene(self):
+    def test_a_gltf_file_holds_every_geom_and_body(self):
         self.mimo("export", "--gltf", "a.glb")
         file = Glb(self.folder / "a.glb")
         meshes = [node for node in file.json["nodes"] if "mesh" in node]
@@ -96,7 +96,7 @@ class Export(Case):
             middle = pixels[160]
             self.assertEqual(middle[:32 * size], middle[32 * size:33 * size] * 32)
 
-    def test_places(self):
+    def test_things_lie_where_the_scene_has_them_in_gltfs_frame(self):
         """Where the ball of a scene of known numbers lies: in glTF x is to the left, y up, z forward."""
         (self.folder / "room.xml").write_text(
             "<mujoco><worldbody><geom name='floor' type='plane' size='2 3 1' rgba='.5 .2 1 .25'/>"
@@ -124,7 +124,7 @@ class Export(Case):
         for value, expected in zip(color, ((0.555 / 1.055) ** 2.4, (0.255 / 1.055) ** 2.4, 1, 0.25)):
             self.assertAlmostEqual(value, expected, places=6)
 
-    def test_movement(self):
+    def test_seconds_add_an_animation_of_the_bodies(self):
         self.mimo("export", "--gltf", "a.glb", "--seconds", "0.5", "--segments", "8")
         file = Glb(self.folder / "a.glb")
         animation, = file.json["animations"]
@@ -143,13 +143,13 @@ class Export(Case):
             start = file.json["nodes"][channel["target"]["node"]][channel["target"]["path"]]
             self.assertTrue(all(abs(abs(a) - abs(b)) < 1e-6 for a, b in zip(start, values[0])))
 
-    def test_wrong_arguments(self):
+    def test_wrong_arguments_are_named_and_write_nothing(self):
         self.assertIn("ends in .glb", self.mimo("export", "--gltf", "a.obj", code=2))
         self.assertIn("multiple of 4", self.mimo("export", "--gltf", "a.glb", "--segments", "6", code=2))
         self.assertIn("no folder", self.mimo("export", "--gltf", "no/a.glb", code=1))
         self.assertEqual(self.files(), [])
 
-    def test_validator(self):
+    def test_khronos_validator_finds_no_error(self):
         node = shutil.which("node")
         have = node and subprocess.run([node, "-e", 'require("gltf-validator")'], capture_output=True).returncode == 0
         if not have:

@@ -51,7 +51,7 @@ class Files(Case):
         for name in ("out.json", "out.glb", "out.csv", "out.png", "motion.csv", "motion.bvh", "pipe.csv"):
             os.mkfifo(self.folder / name)
         for command, name in self.writers():
-            self.assertIn("it is a pipe with a name", self.mimo(*command, name, code=1))
+            self.assertIn("it is a named pipe", self.mimo(*command, name, code=1))
         for name in ("motion.csv", "motion.bvh"):
             self.assertIn("cannot read " + name, self.mimo("replay", "--motion", name, code=1))
         self.assertIn("cannot read pipe.csv",

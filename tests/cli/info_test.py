@@ -25,7 +25,7 @@ class Info(Case):
         for part, seconds in year["delays_s"].items():
             self.assertLess(seconds, late[part], part)
 
-    def test_benchmark_scene(self):
+    def test_counts_and_mass_of_the_benchmark_scene(self):
         info = self.info()
         self.assertEqual({key: info[key] for key in COUNTS}, COUNTS)
         self.assertEqual(info["touch_sensors"], 5685)
@@ -90,12 +90,12 @@ class Info(Case):
             end = field["offset"] + size[field["dtype"]] * math.prod(field["shape"])
         self.assertLessEqual(end, info["observation_bytes"])
 
-    def test_for_people(self):
+    def test_without_json_it_prints_a_table(self):
         text = self.mimo("info", "--vision", "off")
         self.assertRegex(text, r"nq +68\n")
         self.assertIn("proprioception/position", text)
 
-    def test_several_infants(self):
+    def test_counts_of_scenes_with_several_infants(self):
         info = self.info("--scene", "playdate")
         self.assertEqual((info["agents"], info["nu"], info["touch_sensors"]), (2, 50, 2 * 5685))
         self.assertAlmostEqual(info["mass_kg"], 10.90487, places=5)
@@ -103,7 +103,7 @@ class Info(Case):
                           'data="0 0 1 1 0 0 0 1 0 1 1 0 0 0 2 0 1 1 0 0 0"/></custom></mujoco>')
         self.assertEqual(self.info("--scene", room, "--body", "mitten")["nu"], 3 * 44)
 
-    def test_five_fingers(self):
+    def test_counts_of_the_body_with_five_fingers(self):
         info = self.info("--body", "fingers")
         # Counts and mass: the original's tables (tests/golden/v2_benchmark); touch: its 5299 sensors (touch_counts.json).
         self.assertEqual((info["nq"], info["nv"], info["nu"]), (112, 109, 88))
@@ -115,7 +115,7 @@ class Info(Case):
     def test_a_body_that_the_scene_is_not_made_for(self):
         self.assertIn("made for mitten only", self.mimo("info", "--scene", "standup", "--body", "fingers", code=1))
 
-    def test_files(self):
+    def test_files_with_and_without_an_infant(self):
         room = self.write("room.xml", '<mujoco><worldbody><geom type="plane" size="1 1 1"/></worldbody></mujoco>')
         empty = self.info("--scene", room)
         self.assertEqual((empty["nq"], empty["bodies"], empty["mass_kg"]), (0, 1, 0))  # all in it is an agent
@@ -126,7 +126,7 @@ class Info(Case):
         self.assertEqual(self.info("--scene", own)["nu"], 44)
         self.assertEqual(self.info("--scene", own, "--body", "mitten")["nu"], 44)
 
-    def test_broken_file(self):
+    def test_a_document_that_does_not_compile_is_refused(self):
         broken = self.write("broken.xml", "<mujoco><worldbody><geom/></worldbody></mujoco>")
         self.mimo("info", "--scene", broken, code=1)
 

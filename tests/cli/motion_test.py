@@ -34,7 +34,7 @@ class Motion(Case):
             self.assertAlmostEqual(senses["proprioception/velocity"]["min"], -1.5, delta=0.01)
             self.assertAlmostEqual(senses["proprioception/velocity"]["max"], 1.5, delta=0.01)
 
-    def test_who_falls_freely_is_held_by_nothing(self):
+    def test_an_infant_in_free_fall_is_held_by_no_force(self):
         """z = z0 - g t^2 / 2, given at 200 rows a second; the balance organ then feels no acceleration."""
         rows = "".join("%.9f,%.9f\n" % (0.005 * i, 2 - 9.81 / 2 * (0.005 * i) ** 2) for i in range(101))
         report = self.follow("time,root:z\n" + rows, "--forces", "forces.csv")
@@ -53,7 +53,7 @@ class Motion(Case):
         turned = max(abs(senses["vestibular/angular_velocity"][end]) for end in ("min", "max"))
         self.assertAlmostEqual(turned, 3.1416, delta=0.7)  # its points are smoothed as numbers
 
-    def test_limits_are_told(self):
+    def test_joints_beyond_their_limits_are_listed(self):
         self.assertEqual(self.follow("time,left_elbow\n0,0\n1,2\n")["beyond_limits"], ["robot:left_elbow"])
 
     def joints(self, *arguments):
@@ -114,7 +114,7 @@ class Motion(Case):
         scaled = self.joints("--motion", path, "--scale", "0.001")
         self.assertAlmostEqual(scaled[2]["mimo_orientation:y"] - scaled[1]["mimo_orientation:y"], 0.01, delta=1e-6)
 
-    def test_names_of_a_skeleton(self):
+    def test_prefixed_names_are_known_and_others_need_a_map(self):
         frames = [{"LeftLeg": (0, 50, 0)}]
         rows = self.joints("--motion", self.write("a.bvh", bvh(*frames, rename=lambda name: "mixamorig:" + name)))
         self.assertAlmostEqual(rows[0]["robot:left_knee"], -math.radians(50), delta=1e-6)
@@ -147,7 +147,7 @@ class Motion(Case):
         for turn in ((0, 0, -60), (-60, 0, 0)):
             self.assertAlmostEqual(self.bent_elbow(bvh({}, {"LeftForeArm": turn})), -60, delta=0.5)
 
-    def test_families_of_names(self):
+    def test_names_of_other_programs_give_the_same_movement(self):
         """The same movement by the names of other programs."""
         frames = [{}, {"LeftForeArm": (0, 0, -60)}]
         sides = ("UpLeg", "Leg", "Foot", "Arm", "ForeArm", "Hand")
@@ -205,7 +205,7 @@ class Motion(Case):
             message = self.mimo("replay", "--motion", path, "--up", other, "--scene", "free", code=1)
             self.assertIn("--up is %s, but the skeleton stands along %s" % (other, up), message)
 
-    def test_what_exporters_write_otherwise(self):
+    def test_files_that_exporters_write_differently_are_read(self):
         frames = [{}, {"LeftForeArm": (0, 0, -60)}]
         whole = bvh(*frames)
         right = self.bent_elbow(whole)
@@ -246,7 +246,7 @@ class Motion(Case):
         rows = self.joints("--motion", self.write("a.bvh", bvh({"LeftLeg": (0, 50, 0)})), "--map", names)
         self.assertAlmostEqual(rows[0]["robot:left_knee"], -math.radians(50), delta=1e-6)
 
-    def test_bad_skeletons(self):
+    def test_bad_skeletons_are_refused_with_a_reason(self):
         whole = bvh({}, {})
         for text, message in ((whole[:200], "the file ends"), (whole[:-20], "line "), (whole + "3", "51 numbers for each frame"),
                               (whole.replace("Frames: 2", "Frames: 4"), "expected 4 frames, as 'Frames:' says, not '2'"),
@@ -259,7 +259,7 @@ class Motion(Case):
             self.assertIn(message, self.mimo("replay", "--motion", path, "--scene", "free", "--joints", "j.csv", code=1))
         self.assertNotIn("j.csv", self.files())
 
-    def test_bad_tables(self):
+    def test_bad_tables_are_refused_with_a_reason(self):
         for table, message in (("left_elbow\n0\n", "no column 'time'"), ("time,nose\n0,0\n", "no joint for column 'nose'"),
                                ("time,left_elbow\n0,0\n0,1\n", "does not increase in row 2"),
                                ("time,left_elbow\n0,zero\n", "line 2"), ("time,left_elbow\n0\n", "line 2"),

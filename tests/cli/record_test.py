@@ -71,12 +71,12 @@ class Record(Case):
         self.record("--seconds", "0.1")
         with h5py.File(self.folder / "run.h5", "r+") as file:
             file.attrs["format_version"] = 2
-        self.assertIn("has format version 2, which holds no scene; --scene", self.mimo("replay", "run.h5", code=1))
+        self.assertIn("has format version 2, which contains no scene; pass it with --scene", self.mimo("replay", "run.h5", code=1))
         report = self.replay("--scene", "benchmark", "--touch", "off")
         self.assertIs(report["identical"], True)
 
     @needs_h5py
-    def test_another_model_is_told(self):
+    def test_a_replay_in_another_model_is_refused(self):
         self.record("--seconds", "0.1")
         with h5py.File(self.folder / "run.h5", "r+") as file:
             file["bodies/model_hash"][0] += 1
@@ -99,7 +99,7 @@ class Record(Case):
                 self.assertGreater(abs(force[:]).max(), 0)  # it lies on the floor
 
     @needs_h5py
-    def test_others_read_it(self):
+    def test_h5py_reads_a_recording_without_the_library(self):
         self.record("--seconds", "0.4", "--seed", "18446744073709551615")
         with h5py.File(self.folder / "run.h5") as file:
             self.assertEqual(file.attrs["format"], b"mimo recording")
@@ -191,7 +191,7 @@ class Record(Case):
                     self.assertEqual(len(file["time"]), steps)
             self.assertEqual(self.files(), ["run.h5"])
 
-    def test_two_runs_in_one_file(self):
+    def test_a_second_run_cannot_take_the_file_of_a_running_one(self):
         first = self.start()
         error = self.mimo("record", "--seconds", "0.1", "--out", "run.h5", code=1)
         self.assertIn("a program is using", error)
@@ -216,7 +216,7 @@ class Record(Case):
         self.assertEqual(self.replay()["steps"], 10)
         self.assertEqual(self.files(), ["new.h5", "run.h5"])
 
-    def test_files_of_others_stay(self):
+    def test_files_that_are_not_recordings_are_not_overwritten(self):
         self.write("data.h5", "two years of data")
         error = self.mimo("record", "--replace", "--seconds", "0.1", "--out", "data.h5", code=1)
         self.assertIn("is not overwritten", error)
@@ -225,7 +225,7 @@ class Record(Case):
         self.assertIn("is not overwritten", self.mimo("replay", "run.h5", "--out", "data.h5", code=1))
         self.assertEqual(self.files(), ["data.h5", "run.h5"])
 
-    def test_places_that_are_no_files(self):
+    def test_folders_and_pipes_are_refused_as_recordings(self):
         self.record("--seconds", "0.1")
         os.mkfifo(self.folder / "pipe")
         for place in ("pipe", "/dev/full", "/dev/null"):
@@ -258,7 +258,7 @@ class Record(Case):
             (self.folder / "cut.h5").write_bytes(whole[:at])
             self.assertIn("cut.h5 is not a recording", self.mimo("replay", "cut.h5", code=1))
 
-    def test_what_is_no_recording(self):
+    def test_files_that_are_not_recordings_are_refused(self):
         self.assertIn("none.h5", self.mimo("replay", "none.h5", code=1))
         self.write("text.h5", "not a recording")
         self.assertIn("text.h5", self.mimo("replay", "text.h5", code=1))

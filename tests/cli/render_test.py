@@ -7,7 +7,7 @@ from program import COUNTS, Case, needs_renderer, read_npy, read_png
 
 @needs_renderer
 class Render(Case):
-    def test_eye(self):
+    def test_an_eyes_picture_depth_and_segmentation_as_png(self):
         self.mimo("render", "--camera", "eye_left", "--width", "64", "--height", "48", "--out", "eye.png",
                   "--depth", "depth.png", "--segmentation", "ids.png")
         width, height, bits, channels, rows = read_png(self.folder / "eye.png")
@@ -17,7 +17,7 @@ class Render(Case):
         self.assertEqual(read_png(self.folder / "ids.png")[:4], (64, 48, 8, 3))
         self.assertEqual(self.files(), ["depth.png", "eye.png", "ids.png"])
 
-    def test_numbers(self):
+    def test_depth_and_segmentation_as_npy(self):
         self.mimo("render", "--camera", "eye_left", "--width", "64", "--height", "48", "--out", "eye.png",
                   "--depth", "depth.npy", "--segmentation", "ids.npy")
         kind, shape, depth = read_npy(self.folder / "depth.npy")
@@ -46,7 +46,7 @@ class Render(Case):
         self.assertGreater(colours["perfect"], 50)
         self.assertGreater(colours["year"], 50)
 
-    def test_faces(self):
+    def test_each_face_gives_another_picture(self):
         pictures = set()
         for face in ("neutral", "enjoyment", "sadness", "surprise", "disgust", "anger", "fear"):
             self.mimo("render", "--face", face, "--look-at", "0", "0", "0.77", "--distance", "0.4", "--azimuth", "180",
@@ -66,7 +66,7 @@ class Render(Case):
         for mm, m, i in zip(millimetres, metres, ids):
             self.assertAlmostEqual(mm, m * 1000 if i >= 0 and m < 65.5 else 0, delta=0.51)
 
-    def test_free_camera(self):
+    def test_the_free_camera_goes_where_options_put_it(self):
         self.mimo("render", "--out", "a.png")
         self.assertEqual(read_png(self.folder / "a.png")[:2], (640, 480))
         self.mimo("render", "--look-at", "0", "-0.1", "0.5", "--distance", "2", "--azimuth", "-90", "--elevation", "-10",
@@ -82,7 +82,7 @@ class Render(Case):
             ids = read_npy(self.folder / "a.npy")[2]
             self.assertGreater(len(set(ids)), 15)  # walls and background are five
 
-    def test_touch(self):
+    def test_sensors_and_forces_are_drawn_on_the_picture(self):
         # A ball that lies on the head of an infant: sensors and forces change the picture of it.
         self.write("ball.xml", """<mujoco><include file="mimo/mitten.xml"/><worldbody><light pos="0 0 3"/>
             <body pos=".008 0 .74"><freejoint/><geom size=".03"/></body></worldbody></mujoco>""")
@@ -94,7 +94,7 @@ class Render(Case):
         self.assertNotEqual(a, b)
         self.assertNotEqual(b, d)
 
-    def test_how_pictures_are_made(self):
+    def test_samples_and_effects_change_pictures_and_threads_do_not(self):
         view = ("render", "--width", "64", "--height", "48", "--renderer", "ray")
         quality = {"plain": (), "smooth": ("--samples", "16"), "threads": ("--render-threads", "3"), "all": ("--effects", "shadows,reflections,sky,haze"),
                    "bare": ("--effects", "none"), "fog": ("--effects", "fog,shadows,reflections,sky,haze")}
@@ -108,7 +108,7 @@ class Render(Case):
         self.assertNotEqual(pictures["plain"][0][:3], bytes(3))
         self.assertEqual(pictures["bare"][0][:3], bytes(3))  # no sky
 
-    def test_errors(self):
+    def test_wrong_options_are_named_and_write_nothing(self):
         for option, value in (("--samples", "3"), ("--effects", "shadows,glitter"), ("--effects", ","), ("--render-threads", "0")):
             self.assertIn(option, self.mimo("render", option, value, "--out", "a.png", code=2))
         self.assertIn("eye_third", self.mimo("render", "--camera", "eye_third", "--out", "a.png", code=1))

@@ -34,13 +34,13 @@ class Rollout(Case):
         lines = (GOLDEN / "controls_v1.csv").read_text().splitlines()[:rows + 1]
         return self.write("controls.csv", "\n".join(lines) + "\n")
 
-    def test_passive_fall(self):
+    def test_a_passive_fall_agrees_with_the_recorded_one(self):
         # Later than step 120 contacts make the trajectory chaotic.
         golden = [g for g in self.golden["passive_fall"] if g["step"] <= 120]
         for jacobian in ("dense", "sparse"):
             self.assert_close(self.rollout(self.zeros(120), "--every", "20", "--jacobian", jacobian), golden, 1e-9)
 
-    def test_floating(self):
+    def test_floating_agrees_with_the_recorded_numbers(self):
         golden = self.golden["floating_no_contact_no_gravity_random_control"]
         for jacobian in ("dense", "sparse"):
             states = self.rollout(self.golden_controls(200), "--every", "20", "--no-contact", "--no-gravity",
@@ -68,7 +68,7 @@ class Rollout(Case):
             self.assertEqual(state["xpos"]["mimo_location"], state["qpos"]["mimo_orientation"][:3])
             self.assertEqual(state["xpos"]["test_object1"], state["qpos"]["free:test_object1"][:3])
 
-    def test_targets_and_muscles(self):
+    def test_an_elbow_follows_its_target_and_its_stronger_muscle(self):
         # Without gravity and contacts the elbow goes where it is told to, and where the stronger muscle pulls it.
         elbow, floating = "robot:left_elbow", ("--no-gravity", "--no-contact")
         target = self.write("target.csv", "act:left_elbow\n" + "-1\n" * 300)
@@ -113,7 +113,7 @@ class Rollout(Case):
         self.assertIn("none.csv", self.mimo("rollout", "--controls", "none.csv", "--out", "out.json", code=1))
         self.assertIn("no/out.json", self.mimo("rollout", "--controls", self.zeros(1), "--out", "no/out.json", code=1))
 
-    def test_diverging_physics(self):
+    def test_a_simulation_that_diverges_is_an_error(self):
         ball = self.write("ball.xml", """<mujoco><option timestep="10"/><worldbody><body name="arm">
             <joint name="arm" type="hinge"/><geom size=".1"/></body></worldbody>
             <actuator><motor name="push" joint="arm" gear="1e300"/></actuator></mujoco>""")
@@ -123,7 +123,7 @@ class Rollout(Case):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertNotIn("out.json", self.files())
 
-    def test_users_model(self):
+    def test_a_users_own_model_without_an_infant(self):
         self.write("arm.xml", """<mujoco><worldbody><body name="ball" pos="1 2 3"><freejoint/><geom size=".1"/></body>
             <body name="arm"><joint name="elbow" type="hinge"/><geom size=".1"/></body></worldbody>
             <actuator><motor name="push" joint="elbow"/></actuator></mujoco>""")
@@ -133,7 +133,7 @@ class Rollout(Case):
         self.assertEqual(states[2]["qpos"]["free:ball"], states[0]["qpos"]["free:ball"])
         self.assertGreater(states[2]["qpos"]["elbow"][0], 0)
 
-    def test_comma_locale(self):
+    def test_a_locale_with_a_decimal_comma_changes_nothing(self):
         locales = subprocess.run(["locale", "-a"], stdout=subprocess.PIPE, universal_newlines=True).stdout
         comma = [name for name in locales.split() if re.match(r"(de|fr)_\w+\.utf-?8", name, re.I)]
         if not comma:

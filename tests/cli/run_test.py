@@ -127,7 +127,7 @@ class Run(Case):
         grey = [red for red, green, blue in zip(pixels[0::3], pixels[1::3], pixels[2::3]) if red == green == blue]
         self.assertGreater(sum(tone <= 153 for tone in grey), 1000)
 
-    def test_who_ignores_interrupts_goes_on(self):
+    def test_a_run_goes_on_where_interrupts_are_ignored(self):
         done = subprocess.Popen([PROGRAM, "run", "--seconds", "2", "--vision", "off", "--touch", "off", "--out", "p"],
                                 stdout=subprocess.PIPE, universal_newlines=True, cwd=self.folder,
                                 preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
@@ -136,7 +136,7 @@ class Run(Case):
         self.assertEqual(done.returncode, 0)
         self.assertIn("2.00 s of scene", text)
 
-    def test_without_eyes(self):
+    def test_vision_off_writes_no_pictures_of_eyes(self):
         text = self.mimo("run", "--seconds", "0.1", "--vision", "off", "--out", "p")
         self.assertNotIn("vision/", text)
         self.assertNotIn("p/left.png", self.files())
