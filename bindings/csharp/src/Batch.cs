@@ -196,8 +196,8 @@ namespace Mimo
             return states;
         }
 
-        /// <summary>Loads one state per world, or a single state into all worlds. Returns the report of the world in
-        /// which most sections started fresh.</summary>
+        /// <summary>Loads one state per world, or a single state into all worlds; if one is refused, no world
+        /// changes. Returns the report of the world in which most sections started fresh.</summary>
         public LoadReport Load(byte[] states, bool[] mask = null)
         {
             var chosen = BytesOf(mask);

@@ -361,7 +361,7 @@ class Batch(Access):
         return [raw[i * row : i * row + size] for i, size in enumerate(sizes)]
 
     def load(self, states: Union[bytes, Sequence[bytes]], mask: Mask = None) -> LoadReport:
-        """Loads one state into each world, or a single one into all.
+        """Loads one state into each world, or a single one into all; if one is refused, no world changes.
 
         Reports on the world in which most memories started fresh.
         """

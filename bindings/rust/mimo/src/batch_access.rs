@@ -63,8 +63,8 @@ impl Batch {
     }
 
     /// Loads one state for each world, or a single state into all of them, which then continue from the same
-    /// present. The mask selects the worlds; None: all. The report is that of the world where most memories
-    /// started fresh.
+    /// present. If one state is refused, no world changes. The mask selects the worlds; None: all. The report is that
+    /// of the world where most memories started fresh.
     pub fn load(&mut self, states: &[u8], mask: Option<&[bool]>) -> Result<LoadReport> {
         let (mask, worlds) = chosen(mask);
         let from = states.as_ptr() as *const c_void;
