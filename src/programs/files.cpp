@@ -59,7 +59,7 @@ void require_writable(const std::string& path) {
     throw Failure("cannot write " + path + ": there is no folder " + folder.string());
   }
   if (fs::is_directory(file)) throw Failure("cannot write " + path + ": it is a folder");
-  if (fs::is_fifo(file) && !is_open_pipe(file)) throw Failure("cannot write " + path + ": it is a pipe with a name");
+  if (fs::is_fifo(file) && !is_open_pipe(file)) throw Failure("cannot write " + path + ": it is a named pipe");
   if (fs::exists(file) && !fs::is_regular_file(file) && !is_stream(file)) {
     throw Failure("cannot write " + path + ": it is no plain file");
   }
@@ -103,7 +103,7 @@ std::ifstream open_to_read(const std::string& path) {
   std::error_code unknown;
   const fs::file_status status = fs::status(path, unknown);
   if (fs::is_directory(status)) throw Failure("cannot read " + path + ": it is a folder");
-  if (fs::is_fifo(status) && !is_open_pipe(path)) throw Failure("cannot read " + path + ": it is a pipe with a name");
+  if (fs::is_fifo(status) && !is_open_pipe(path)) throw Failure("cannot read " + path + ": it is a named pipe");
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_fifo(status)) {
     throw Failure("cannot read " + path + ": it is no plain file");
   }

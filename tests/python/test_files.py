@@ -66,7 +66,7 @@ def test_pipes_are_refused(name, tmp_path):
     os.mkfifo(tmp_path / name)
     code, said = written(name, tmp_path / name)
     assert code == 1
-    assert said.endswith(f"cannot write {tmp_path / name}: it is a pipe with a name")
+    assert said.endswith(f"cannot write {tmp_path / name}: it is a named pipe")
     assert os.listdir(tmp_path) == [name]
 
 

@@ -24,7 +24,7 @@ def require_writable(name: Name) -> None:
     if path.is_dir():
         raise IsADirectoryError(f"cannot write {path}: it is a folder")
     if path.is_fifo() and not _is_open_pipe(path):
-        raise OSError(f"cannot write {path}: it is a pipe with a name")
+        raise OSError(f"cannot write {path}: it is a named pipe")
     if path.exists() and not path.is_file() and not _is_stream(path):
         raise OSError(f"cannot write {path}: it is not a plain file")
     if not os.access(path if path.exists() else path.parent, os.W_OK):
