@@ -180,3 +180,20 @@ def test_errors_name_the_library_for_another_mujoco(monkeypatch):
         monkeypatch.setitem(sys.modules, "mujoco", host)
         with pytest.raises(mimo.UnsupportedError, match=advice):
             mimo.Senses(mimo.Scene("free"), model)
+
+
+def test_importing_it_needs_numpy_only(tmp_path):
+    code = """
+import sys
+
+class Missing:
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] in ("gymnasium", "typing_extensions", "mujoco", "pettingzoo", "scipy", "PIL"):
+            raise ModuleNotFoundError(name)
+
+sys.meta_path.insert(0, Missing())
+import mimo
+mimo.World, mimo.Scene, mimo.Batch, mimo.Senses, mimo.Recorder
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr

@@ -5,11 +5,10 @@ from __future__ import annotations
 import atexit
 import ctypes
 import weakref
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import IN_MAIN, Native
@@ -29,6 +28,9 @@ from .selection import Mask
 from .selections import Contacts, StepContacts
 from .states import LoadReport, reported
 from .world import World, agents_of, env_config
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 Seeds = Optional[Union[int, Sequence[Optional[int]]]]
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, Dict, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Optional, Sequence, Tuple, Union
 
 import gymnasium
 import numpy as np
 from gymnasium.error import ResetNeeded
 from numpy.typing import NDArray
-from typing_extensions import Unpack
 
 from .ages import Age
 from .arguments import known_keywords, reset_options
@@ -21,6 +20,9 @@ from .scene import Scene
 from .spaces import View, action_box
 from .tasks import GoalTask, Judge, Judgement, Task
 from .world import World
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 PICTURE = (480, 360)
 SUCCESS, FAILURE = int(Outcome.SUCCESS), int(Outcome.FAILURE)  # compared in every step, where enums are slow

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import secrets
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
-from typing_extensions import Unpack
 
 from .arguments import known_keywords, numbers_in
 from .env import PICTURE, begin, judged_info, with_task, world_info
@@ -19,6 +18,9 @@ from .scene import Scene
 from .spaces import View, action_box, split
 from .tasks import GoalTask, Judge, Task
 from .world import World
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 try:
     from pettingzoo import ParallelEnv as _ParallelEnv

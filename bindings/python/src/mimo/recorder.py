@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
-from typing import Any, Optional, Union
-
-from typing_extensions import Unpack
+from typing import TYPE_CHECKING, Any, Optional, Union
 
 from . import _abi
 from ._handle import Handle
@@ -15,6 +13,9 @@ from ._library import LIB, check, defaults, utf8
 from .option_types import RecorderOptions
 from .options import fill
 from .recorded_world import inner_world
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 
 class Recorder(Handle):

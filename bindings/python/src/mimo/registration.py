@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from importlib.abc import MetaPathFinder
-from importlib.machinery import ModuleSpec
-from typing import Any, List, Optional, Tuple
+from typing import List, Tuple
+
+from .importing import when_imported
 
 ENVIRONMENTS: List[Tuple[str, str]] = [
     ("mimo/Reach-v0", "reach"),
@@ -38,28 +36,4 @@ def register_when_imported() -> None:
 
     Programs that use mimo.World or mimo.Batch only do without Gymnasium.
     """
-    if GYMNASIUM in sys.modules:
-        register()
-    elif not any(isinstance(finder, _Waiting) for finder in sys.meta_path):
-        sys.meta_path.insert(0, _Waiting())
-
-
-class _Waiting(MetaPathFinder):
-    """Finds Gymnasium as Python does, and registers after its import; then it is gone."""
-
-    def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Optional[ModuleSpec]:
-        if fullname != GYMNASIUM:
-            return None
-        sys.meta_path.remove(self)
-        spec = importlib.util.find_spec(fullname)
-        loader: Any = None if spec is None else spec.loader
-        if loader is None:
-            return spec
-        execute = loader.exec_module
-
-        def execute_and_register(module: Any) -> None:
-            execute(module)
-            register()
-
-        loader.exec_module = execute_and_register
-        return spec
+    when_imported(GYMNASIUM, register)

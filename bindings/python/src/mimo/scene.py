@@ -7,6 +7,7 @@ import ctypes
 import os
 from functools import wraps
 from typing import (
+    TYPE_CHECKING,
     Any,
     Callable,
     Dict,
@@ -21,8 +22,6 @@ from typing import (
     Union,
     cast,
 )
-
-from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
@@ -52,6 +51,9 @@ from .options import (
 from .own_sense import BoundSense, Sense
 from .own_task import Bound, WorldTask
 from .tasks import Task
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _Step = Tuple[str, Tuple[Any, ...], Dict[str, Any]]
 Edit = TypeVar("Edit", bound=Callable[..., Any])

@@ -5,11 +5,10 @@ from __future__ import annotations
 import ctypes
 import importlib
 import sys
-from typing import Any, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
-from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Handle
@@ -22,6 +21,9 @@ from .scene import Scene
 from .sounds import play
 from .states import LoadReport, reported, saved
 from .world import reset_config
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 
 class Senses(Handle):

@@ -10,7 +10,6 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
-from typing_extensions import Unpack
 
 from .ages import Age
 from .arguments import known_keywords, reset_options, whole_number
@@ -36,6 +35,8 @@ def _declared(mode: str) -> Any:
 
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
     VectorBase = gymnasium.vector.VectorEnv[Any, Any, Any]
 elif issubclass(gymnasium.vector.VectorEnv, gymnasium.Env):
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from typing_extensions import Unpack
 
 from . import _abi
 from ._handle import Native
@@ -28,6 +27,9 @@ from .selection import Mask
 from .selections import Contacts, StepContacts
 from .sounds import play
 from .states import LoadReport, reported, saved
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
 
 _step = LIB.mimo_env_step
 
