@@ -23,6 +23,7 @@ from mimo.geometry import Appearance, Texture
 from mimo.view.clock import Clock
 from mimo.view.motors import Motors
 from mimo.view.pull import Pull
+from mimo.view.senses_panel import line, others
 from mimo.view.shapes import lit
 
 STATUS = re.compile(r"([0-9.]+) s \(([^)]*)\)")
@@ -264,6 +265,20 @@ def test_muscles_name_their_infant():
         shown = [html.content for _, _, html in viewer._page._senses._bars]
         assert ["anna" in content for content in shown] == [True, False]
         assert ["ben" in content.replace("bend", "") for content in shown] == [False, True]
+
+
+def test_fields_of_senses_of_ones_own_are_shown():
+    scene = mimo.Scene("playdate")
+    scene.add_agents(vision=False)
+    scene.add_field("toy/position", "body_position", "toy")
+    assert others(mimo.World(scene)) == ["toy/position"]
+    with viewer_or_skip(view.Live(scene)) as viewer:
+        advance_once(viewer)
+        shown = viewer._page._senses._numbers.content
+        x = viewer._source.world.observation["toy/position"][0, 0]
+        assert "<b>toy/position</b>" in shown
+        assert f"{x:.3g}" in shown
+    assert line("ct", "Hz", np.arange(7)).endswith("0 to 6, mean 3 (7) Hz</div>")
 
 
 def advance_once(viewer):

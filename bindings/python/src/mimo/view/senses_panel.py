@@ -1,4 +1,4 @@
-"""The page's left side: eyes, and motors or muscles."""
+"""The page's left side: eyes, motors or muscles, and fields that no sense of the library has."""
 
 from __future__ import annotations
 
@@ -8,16 +8,18 @@ from typing import Any, Dict, List, Tuple
 import numpy as np
 
 from ..drawing import prefixes
+from ..layout import SENSES
 from ..world import World
 
 EYES = ("left", "right")
 WIDTH = 290  # pixels
 GAP = 4  # pixels between the two eyes' pictures
 ACTIVITY = ("proprioception/activation", "proprioception/control")  # of muscles, or of motors
+FEW = 6  # numbers that are shown one by one
 
 
 class SensesPanel:
-    """Pictures of both eyes of each infant, and bars for motors or muscles."""
+    """Pictures of both eyes of each infant, bars for motors or muscles, and numbers of all other fields."""
 
     def __init__(self, server: Any, world: World) -> None:
         self._world = world
@@ -30,6 +32,10 @@ class SensesPanel:
         with self._panel.add_tab("Muscles"):
             for name in prefixes(world):
                 self._add_bars(server, name)
+        self._others = others(world)
+        if self._others:
+            with self._panel.add_tab("Fields"):
+                self._numbers = server.gui.add_html("")
         self._panel.dock_left()
         self._panel.set_width(WIDTH)
 
@@ -59,10 +65,31 @@ class SensesPanel:
         for infant, name, html in self._bars:
             field = self._world.layout.fields[name]
             html.content = bars(infant, field.labels, self._world.observation[name].ravel())
+        if self._others:
+            observation, fields = self._world.observation, self._world.layout.fields
+            self._numbers.content = "".join(line(name, fields[name].unit, observation[name]) for name in self._others)
 
     def remove(self) -> None:
         """Removes it from the page."""
         self._panel.remove()
+
+
+def others(world: World) -> List[str]:
+    """Fields that no sense of the library has: of senses of one's own, of tasks, on request."""
+    infants = [prefix for prefix in prefixes(world) if prefix]
+    own = {
+        name: next((name[len(one) :] for one in infants if name.startswith(one)), name) for name in world.layout.fields
+    }
+    return [name for name, path in own.items() if path.split("/")[0] not in SENSES]
+
+
+def line(name: str, unit: str, values: Any) -> str:
+    """A field with its numbers; of many the range and the mean."""
+    numbers = np.asarray(values, np.float64).ravel()
+    few = " ".join(f"{number:.3g}" for number in numbers[:FEW])
+    many = f"{numbers.min():.3g} to {numbers.max():.3g}, mean {numbers.mean():.3g} ({numbers.size})"
+    text = f"{few if numbers.size <= FEW else many} {unit}"
+    return f'<div style="font:11px sans-serif;padding:2px 8px"><b>{escape(name)}</b> {escape(text)}</div>'
 
 
 def bars(infant: str, names: Any, values: Any) -> str:
