@@ -367,6 +367,28 @@ static const word texture_type_words[] = {
 };
 const enumeration mimo_texture_type_words = {0, texture_type_words};
 
+static const word form_words[] = {
+    {"plane", MIMO_FORM_PLANE},
+    {"field", MIMO_FORM_FIELD},
+    {"sphere", MIMO_FORM_SPHERE},
+    {"capsule", MIMO_FORM_CAPSULE},
+    {"ellipsoid", MIMO_FORM_ELLIPSOID},
+    {"cylinder", MIMO_FORM_CYLINDER},
+    {"box", MIMO_FORM_BOX},
+    {"mesh", MIMO_FORM_MESH},
+    {"distance", MIMO_FORM_DISTANCE},
+    {NULL, 0},
+};
+const enumeration mimo_form_words = {0, form_words};
+
+static const word lamp_words[] = {
+    {"spot", MIMO_LAMP_SPOT},
+    {"sun", MIMO_LAMP_SUN},
+    {"point", MIMO_LAMP_POINT},
+    {NULL, 0},
+};
+const enumeration mimo_lamp_words = {0, lamp_words};
+
 static const word look_words[] = {
     {"eyes", MIMO_LOOK_EYES},
     {"head", MIMO_LOOK_HEAD},

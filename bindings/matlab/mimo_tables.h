@@ -34,6 +34,8 @@ extern const enumeration mimo_kind_words;
 extern const enumeration mimo_quantity_words;
 extern const enumeration mimo_axes_words;
 extern const enumeration mimo_texture_type_words;
+extern const enumeration mimo_form_words;
+extern const enumeration mimo_lamp_words;
 extern const enumeration mimo_look_words;
 extern const enumeration mimo_picture_format_words;
 extern const enumeration mimo_autoreset_words;

@@ -120,6 +120,7 @@ const char* word(HandleType type) {
     case HandleType::kLayout: return "mimo_layout";
     case HandleType::kRecorder: return "mimo_recorder";
     case HandleType::kRecording: return "mimo_recording";
+    case HandleType::kStage: return "mimo_stage";
   }
   return "handle";
 }

@@ -17,7 +17,8 @@ enum class HandleType : unsigned {
   kSenses = 4,
   kLayout = 5,
   kRecorder = 6,
-  kRecording = 7
+  kRecording = 7,
+  kStage = 8
 };
 
 // Makes a handle that owns the object.

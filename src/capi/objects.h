@@ -19,6 +19,7 @@
 #include "mimo/experimental.h"
 #include "recording/recorder.h"
 #include "recording/recording.h"
+#include "stage/stage.h"
 
 namespace mimo::capi {
 
@@ -132,6 +133,12 @@ struct RecordingObject {
   std::string build;                                // of this library
 };
 
+struct StageObject {
+  StageObject(const stage::Given& given, std::size_t threads, LogSink log) : stage(given, threads, std::move(log)) {}
+
+  stage::Stage stage;
+};
+
 // Throws if no caller can use the handle now.
 inline void require_access(const SceneObject&) {}
 void require_access(const EnvObject& env);
@@ -139,6 +146,7 @@ inline void require_access(const BatchObject&) {}  // the batch itself knows whi
 inline void require_access(const SensesObject&) {}
 inline void require_access(const RecorderObject&) {}
 inline void require_access(const RecordingObject&) {}
+inline void require_access(const StageObject&) {}
 inline void require_access(const LayoutObject&) {}  // any thread may ask it at any time
 
 // Whether this thread is at work for a batch: on one of its worlds, or for a task. Only the address is looked at, so
@@ -195,6 +203,11 @@ struct HandleTraits<mimo_recorder> : Behind<RecorderObject, HandleType::kRecorde
 template <>
 struct HandleTraits<mimo_recording> : Behind<RecordingObject, HandleType::kRecording> {
   static constexpr const char* kName = "recording";
+};
+
+template <>
+struct HandleTraits<mimo_stage> : Behind<StageObject, HandleType::kStage> {
+  static constexpr const char* kName = "stage";
 };
 
 template <>

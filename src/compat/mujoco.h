@@ -26,6 +26,15 @@ namespace mimo::compat {
 // Where red (0), green or blue is in a pixel of a texture; of fewer channels the first is grey.
 inline int channel_of(int channels, int color) { return channels < 3 ? 0 : color; }
 
+// A soft body, which 2.2 does not have: lines, a sheet, or one that fills space.
+struct Flex {
+  int dimensions, first_vertex, vertices, elements, shells, material;
+  const int *element, *texels, *shell;  // dimensions + 1 corners; the shell is the triangles around what fills space
+  const float *texcoords, *rgba;        // texture coordinates: null for none
+  double radius;
+  bool flat;
+};
+
 #if MIMO_MUJOCO_4
 
 inline constexpr auto kLockFlags = &mjModel::eq_active0;  // where resets lead to
@@ -78,17 +87,40 @@ inline void apply_locks(const mjModel& model, mjData& data) {
 }
 
 inline int channels(const mjModel& model, int texture) { return model.tex_nchannel[texture]; }
-inline int color_texture(const mjModel& model, int material) {
-  return model.mat_texid[mjNTEXROLE * material + mjTEXROLE_RGB];
-}
 inline bool is_directional(const mjModel& model, int light) { return model.light_type[light] == mjLIGHT_DIRECTIONAL; }
 
-// Corners of a mesh's face, counted from its first: of its normals and of its texture coordinates.
-inline const int* face_normals(const mjModel& model, std::ptrdiff_t face) { return model.mesh_facenormal + 3 * face; }
-inline const int* face_texcoords(const mjModel& model, std::ptrdiff_t face) {
-  return model.mesh_facetexcoord + 3 * face;
+// Arrays of what is drawn: bytes of a pixel (null: 3), the texture of each material's colour and how far it is from one
+// to the next, types of lights or else (null) whether they are directional.
+inline const int* all_channels(const mjModel& model) { return model.tex_nchannel; }
+inline constexpr int kTexturesOfMaterial = mjNTEXROLE;
+inline const int* color_textures(const mjModel& model) { return model.mat_texid + mjTEXROLE_RGB; }
+inline const int* light_types(const mjModel& model) { return model.light_type; }
+inline const unsigned char* directional_lights(const mjModel&) { return nullptr; }
+
+inline constexpr int kFlexGeom = mjGEOM_FLEX;
+inline int flex_count(const mjModel& model) { return static_cast<int>(model.nflex); }
+inline Flex flex(const mjModel& model, int id) {
+  const int data = model.flex_elemdataadr[id], texture = model.flex_texcoordadr[id];
+  return {model.flex_dim[id],
+          model.flex_vertadr[id],
+          model.flex_vertnum[id],
+          model.flex_elemnum[id],
+          model.flex_shellnum[id],
+          model.flex_matid[id],
+          model.flex_elem + data,
+          model.flex_elemtexcoord + data,
+          model.flex_shell + model.flex_shelldataadr[id],
+          texture < 0 ? nullptr : model.flex_texcoord + 2 * texture,
+          model.flex_rgba + 4 * id,
+          model.flex_radius[id],
+          model.flex_flatskin[id] != 0};
 }
-inline int first_normal(const mjModel& model, int mesh) { return model.mesh_normaladr[mesh]; }
+inline const double* flex_vertices(const mjData& data) { return data.flexvert_xpos; }
+
+// Corners of meshes' faces, counted from the mesh's first: of normals and of texture coordinates.
+inline const int* face_normals(const mjModel& model) { return model.mesh_facenormal; }
+inline const int* face_texcoords(const mjModel& model) { return model.mesh_facetexcoord; }
+inline const int* first_normals(const mjModel& model) { return model.mesh_normaladr; }
 
 inline void add_file(mjVFS& files, const char* name, const void* bytes, std::size_t size, int& result) {
   result = mj_addBufferVFS(&files, name, bytes, static_cast<int>(size));
@@ -186,12 +218,22 @@ inline const char* too_large(const mjModel&) { return nullptr; }  // they are in
 inline void apply_locks(const mjModel&, mjData&) {}
 
 inline int channels(const mjModel&, int) { return 3; }
-inline int color_texture(const mjModel& model, int material) { return model.mat_texid[material]; }
 inline bool is_directional(const mjModel& model, int light) { return model.light_directional[light] != 0; }
 
-inline const int* face_normals(const mjModel& model, std::ptrdiff_t face) { return model.mesh_face + 3 * face; }
-inline const int* face_texcoords(const mjModel& model, std::ptrdiff_t face) { return model.mesh_face + 3 * face; }
-inline int first_normal(const mjModel& model, int mesh) { return model.mesh_vertadr[mesh]; }
+inline const int* all_channels(const mjModel&) { return nullptr; }
+inline constexpr int kTexturesOfMaterial = 1;
+inline const int* color_textures(const mjModel& model) { return model.mat_texid; }
+inline const int* light_types(const mjModel&) { return nullptr; }
+inline const unsigned char* directional_lights(const mjModel& model) { return model.light_directional; }
+
+inline constexpr int kFlexGeom = -1;
+inline int flex_count(const mjModel&) { return 0; }
+inline Flex flex(const mjModel&, int) { return {}; }
+inline const double* flex_vertices(const mjData&) { return nullptr; }
+
+inline const int* face_normals(const mjModel& model) { return model.mesh_face; }
+inline const int* face_texcoords(const mjModel& model) { return model.mesh_face; }
+inline const int* first_normals(const mjModel& model) { return model.mesh_vertadr; }
 
 inline void add_file(mjVFS& files, const char* name, const void* bytes, std::size_t size, int& result) {
   result = mj_makeEmptyFileVFS(&files, name, static_cast<int>(size));

@@ -7,6 +7,7 @@
 
 #include "base/numbers.h"
 #include "geometry/texture.h"
+#include "render/model_stage.h"
 #include "render/surfaces.h"
 
 namespace mimo::geometry {
@@ -92,9 +93,9 @@ Mesh welded(const mjModel& model, int geom) {
   };
   const int id = model.geom_dataid[geom];
   if (model.geom_type[geom] == mjGEOM_MESH)
-    render::each_triangle_of_mesh(model, id, take);
+    render::each_triangle_of_mesh(render::meshes_of(model), id, take);
   else
-    render::each_triangle_of_field(model, id, take);
+    render::each_triangle_of_field(render::fields_of(model), id, take);
   return welder.take();
 }
 
@@ -179,7 +180,7 @@ Mesh mesh_of(const mjModel& model, int geom, const Detail& detail) {
   if (texture < 0) return bare(model, geom, detail);
   const TextureSize size = size_of(model, texture);
   const render::TextureMapping mapping =
-      render::map_texture(model, model.geom_matid[geom], size.cube(), shape_of(model, geom));
+      render::map_texture(render::materials_of(model), model.geom_matid[geom], size.cube(), shape_of(model, geom));
   Mesh mesh = bare(model, geom, detail);
   lay(mesh, mapping, size);
   return mesh;
@@ -188,7 +189,7 @@ Mesh mesh_of(const mjModel& model, int geom, const Detail& detail) {
 Material material_of(const mjModel& model, int geom) {
   Material material;
   material.group = model.geom_group[geom];
-  material.paint = render::paint_of(model, model.geom_matid[geom], model.geom_rgba + 4 * geom);
+  material.paint = render::paint_of(render::materials_of(model), model.geom_matid[geom], model.geom_rgba + 4 * geom);
   material.visible = render::is_shown(material.group) && material.paint.color[3] > 0;
   return material;
 }

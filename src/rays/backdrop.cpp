@@ -4,6 +4,7 @@
 
 #include "base/numbers.h"
 #include "render/renderer.h"
+#include "render/stage.h"
 
 namespace mimo::rays {
 namespace {
@@ -21,9 +22,9 @@ Sky sky_of(const Texture* texture, const Camera& camera) {
   return sky;
 }
 
-Haze haze_over(const Solid& plane, const mjModel& model, const Sky& sky, const Camera& camera) {
+Haze haze_over(const Solid& plane, const render::Air& air, const Sky& sky, const Camera& camera) {
   const double height = dot(camera.position - plane.position, plane.rotation.col(2));
-  const double r = model.vis.map.haze;
+  const double r = air.haze;
   Haze haze;
   haze.shown = height >= 0 && r > 0;
   haze.a = narrow(to_local(plane, camera.axes.col(2)));
@@ -34,31 +35,30 @@ Haze haze_over(const Solid& plane, const mjModel& model, const Sky& sky, const C
   const double alpha = std::atan2(1, r);
   const double beta = 0.75 * kPi - alpha;
   haze.turn = static_cast<float>(std::sqrt(0.5) * r * std::sin(alpha) / std::sin(beta));
-  haze.rgb = three(model.vis.rgba.haze);
+  haze.rgb = three(air.haze_color);
   return haze;
 }
 
-Fog fog_of(const mjModel& model) {
+Fog fog_of(const render::Air& air) {
   Fog fog;
   fog.shown = true;
-  fog.rgb = three(model.vis.rgba.fog);
-  fog.start = static_cast<float>(model.vis.map.fogstart * model.stat.extent);
-  const double length = (model.vis.map.fogend - model.vis.map.fogstart) * model.stat.extent;
-  fog.scale = static_cast<float>(length > 0 ? 1 / length : 0);
+  fog.rgb = three(air.fog_color);
+  fog.start = static_cast<float>(air.fog_start);
+  fog.scale = static_cast<float>(air.fog_length > 0 ? 1 / air.fog_length : 0);
   return fog;
 }
 
 }  // namespace
 
-Backdrop backdrop_of(const mjModel& model, const Textures& textures, const Solids& solids, const Camera& camera,
+Backdrop backdrop_of(const render::Air& air, const Textures& textures, const Solids& solids, const Camera& camera,
                      const render::Quality& quality) {
   Backdrop backdrop;
   backdrop.sky = sky_of(quality.skybox ? textures.sky() : nullptr, camera);
   const bool horizon = solids.ground() >= 0 && !solids[solids.ground()].transparent;
   if (backdrop.sky.texture != nullptr && quality.haze && horizon) {
-    backdrop.haze = haze_over(solids[solids.ground()], model, backdrop.sky, camera);
+    backdrop.haze = haze_over(solids[solids.ground()], air, backdrop.sky, camera);
   }
-  if (quality.fog) backdrop.fog = fog_of(model);
+  if (quality.fog) backdrop.fog = fog_of(air);
   return backdrop;
 }
 

@@ -1,15 +1,14 @@
 // What is behind everything, and between: sky, haze and fog.
 #pragma once
 
-#include <mujoco/mjmodel.h>
-
 #include <array>
 
 #include "rays/camera.h"
 
 namespace mimo::render {
+struct Air;
 struct Quality;
-}
+}  // namespace mimo::render
 
 namespace mimo::rays {
 
@@ -41,7 +40,7 @@ struct Backdrop {
   Fog fog;
 };
 
-Backdrop backdrop_of(const mjModel& model, const Textures& textures, const Solids& solids, const Camera& camera,
+Backdrop backdrop_of(const render::Air& air, const Textures& textures, const Solids& solids, const Camera& camera,
                      const render::Quality& quality);
 
 }  // namespace mimo::rays

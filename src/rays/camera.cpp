@@ -5,6 +5,7 @@
 
 #include "base/numbers.h"
 #include "render/renderer.h"
+#include "render/stage.h"
 
 namespace mimo::rays {
 namespace {
@@ -240,13 +241,18 @@ void Eye::look_at(const Solid& solid, int index, double near_depth) {
 
 Camera::Camera(std::size_t most) : seen(most), transparent(most) { aspects.resize(most); }
 
-void Camera::place(const mjModel& model, const render::View& view, double aspect_ratio) {
-  near_plane = static_cast<float>(model.vis.map.znear * model.stat.extent);
-  far_plane = static_cast<float>(model.vis.map.zfar * model.stat.extent);
+void Camera::place(const render::Air& air, const render::View& view, double aspect_ratio) {
+  near_plane = static_cast<float>(air.near_plane);
+  far_plane = static_cast<float>(air.far_plane);
   position = view.position;
   axes = view.rotation;
   axes.col(2) = -axes.col(2);
   reach = far_plane;
+  if (view.edges.given()) {
+    high = std::max(std::abs(view.edges.bottom), std::abs(view.edges.top));
+    wide = std::max(std::abs(view.edges.left), std::abs(view.edges.right));
+    return;
+  }
   high = std::tan(view.fovy * kPi / 360);
   wide = high * aspect_ratio;
 }

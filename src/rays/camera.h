@@ -60,7 +60,7 @@ struct Camera : Eye {
   // For so many solids at most.
   explicit Camera(std::size_t most);
 
-  void place(const mjModel& model, const render::View& view, double aspect_ratio);
+  void place(const render::Air& air, const render::View& view, double aspect_ratio);
   void look_around(const Solids& solids);
 };
 

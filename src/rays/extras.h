@@ -1,64 +1,47 @@
-// What MuJoCo computes for every picture: the pieces of spatial tendons and slider-cranks, and skins.
+// What MuJoCo computes for every picture: the pieces of spatial tendons and slider-cranks, skins and flexes.
 #pragma once
 
 #include <mujoco/mjmodel.h>
 #include <mujoco/mjvisualize.h>
 
-#include <array>
 #include <vector>
 
+#include "base/span.h"
 #include "engine/model.h"
-#include "rays/meshes.h"
-#include "rays/vectors.h"
+#include "rays/solids.h"
+#include "rays/surfaces.h"
 #include "render/visual_scene.h"
 
 namespace mimo::rays {
 
-// MuJoCo's skins: triangles that follow several bodies, so that they lie differently in every picture.
-
-// A skin in the model's reference pose. Which triangles a box of its tree holds is settled there, once for a model:
-// pictures do not depend on those before.
-class SkinPattern {
- public:
-  SkinPattern(const mjModel& model, int id, const float* vertices);
-
-  const Mesh& mesh() const { return mesh_; }
-  // Moves the corners of a copy of the mesh to where the skin's vertices are now. Returns the place around which it
-  // lies.
-  Vec drape(const float* vertices, const float* normals, Mesh& mesh) const;
-
- private:
-  Mesh mesh_;
-  std::vector<std::array<int, 3>> corners_;  // vertices of the mesh's triangles
-};
-
-// Of all skins of a model.
-std::vector<SkinPattern> skin_patterns(const engine::ModelPtr& model);
+// All skins of a model, then all flexes, as they lie in its reference pose.
+std::vector<MovingSurface> surfaces_of(const engine::ModelPtr& model);
 
 class Extras {
  public:
   static bool any(const mjModel& model);
 
-  Extras(const mjModel& model, const std::vector<SkinPattern>& patterns);
+  // The surfaces are the model's, and outlive this.
+  Extras(const mjModel& model, const std::vector<MovingSurface>& surfaces);
 
   // Throws Status::kRender.
   void update(const mjModel& model, const mjData& data, const render::View& view);
 
-  int most() const { return list_.scene().maxgeom; }
-  int count() const { return list_.scene().ngeom; }
-  const mjvGeom& geom(int i) const { return list_.scene().geoms[i]; }
-  // A skin as it lies now, and the place that it lies around.
-  const Mesh& skin(int id, double* place) const;
+  std::size_t most() const { return most_; }
+  Span<const Extra> now() const { return extras_; }
 
  private:
-  struct Skin {
-    const SkinPattern* pattern;
-    Mesh mesh;
-    Vec place = Vec::Zero();
-  };
+  void add(const mjModel& model, const mjData& data, const mjvGeom& geom);
+  void add_skin(const mjModel& model, int id);
+  void add_flex(const mjModel& model, const mjData& data, int id);
+  void add_surface(std::size_t which, int material, const float* rgba);
 
   render::VisualScene list_;
-  std::vector<Skin> skins_;
+  const std::vector<MovingSurface>& surfaces_;
+  std::vector<Draped> draped_;  // of each surface
+  DrawnVertices vertices_;
+  std::size_t most_ = 0;
+  std::vector<Extra> extras_;
 };
 
 }  // namespace mimo::rays

@@ -92,7 +92,7 @@ void WriteColor(const Grid& grid, int tile_row, int tile_column, const std::uint
   const int height = std::min(size, grid.height - tile_row * size);
   for (int row = 0; row < height; ++row) {
     std::uint8_t* to =
-        grid.rgb + 3 * (static_cast<std::size_t>(tile_row * size + row) * grid.width + tile_column * size);
+        grid.rgb + static_cast<std::size_t>(tile_row * size + row) * grid.rgb_row + 3 * (tile_column * size);
     const std::uint32_t* from = color + row * n * kTile;
     if (n == 1) {
       Pack(from, width, to);
@@ -112,12 +112,12 @@ void WriteDepths(const Grid& grid, int tile_row, int tile_column, const Tile& ti
   const int width = std::min(kTile, grid.columns - tile_column * kTile);
   const int height = std::min(kTile, grid.rows - tile_row * kTile);
   for (int row = 0; row < height; ++row) {
-    const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * grid.columns + tile_column * kTile;
+    float* to = grid.depth + static_cast<std::size_t>(tile_row * kTile + row) * grid.depth_row + tile_column * kTile;
     alignas(64) float depths[kTile];
     for (int column = 0; column < kTile; column += lanes) {
       Store(hn::Min(Load(tile.t + row * kTile + column), end), depths + column);
     }
-    std::memcpy(grid.depth + start, depths, static_cast<std::size_t>(width) * sizeof(float));
+    std::memcpy(to, depths, static_cast<std::size_t>(width) * sizeof(float));
   }
 }
 
@@ -126,11 +126,12 @@ void WriteSegments(const Grid& grid, int tile_row, int tile_column, const Tile& 
   const int width = std::min(kTile, grid.columns - tile_column * kTile);
   const int height = std::min(kTile, grid.rows - tile_row * kTile);
   for (int row = 0; row < height; ++row) {
-    const std::size_t start = static_cast<std::size_t>(tile_row * kTile + row) * grid.columns + tile_column * kTile;
+    std::int32_t* to = grid.segmentation + static_cast<std::size_t>(tile_row * kTile + row) * grid.segmentation_row +
+                       tile_column * kTile;
     for (int column = 0; column < width; ++column) {
       const int i = row * kTile + column;
       const bool hit = tile.id[i] >= 0 && tile.t[i] <= frame.camera.far_plane;
-      grid.segmentation[start + column] = hit ? frame.solids[frame.camera.aspects[tile.id[i]].solid].id : -1;
+      to[column] = hit ? frame.solids[frame.camera.aspects[tile.id[i]].solid].id : -1;
     }
   }
 }

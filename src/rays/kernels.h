@@ -1,6 +1,7 @@
 // The part that runs once for each vector of rays, compiled for several instruction sets.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct Grid {
   std::uint8_t* rgb = nullptr;
   float* depth = nullptr;                // only with one sample a pixel
   std::int32_t* segmentation = nullptr;  // likewise
+  // From one row of the picture to the next: bytes, and numbers.
+  std::size_t rgb_row = 0, depth_row = 0, segmentation_row = 0;
 
   int tile_columns() const { return (columns + kTile - 1) / kTile; }
   int tile_rows() const { return (rows + kTile - 1) / kTile; }

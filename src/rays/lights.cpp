@@ -6,35 +6,35 @@
 #include <limits>
 
 #include "base/numbers.h"
-#include "compat/mujoco.h"
+#include "render/stage.h"
 
 namespace mimo::rays {
 namespace {
 
-Light headlight(const mjModel& model, const Vec& direction) {
+Light headlight(const render::Air& air, const Vec& direction) {
   Light light;
   light.directional = true;
   light.direction = direction;
-  light.ambient = three(model.vis.headlight.ambient);
-  light.diffuse = three(model.vis.headlight.diffuse);
-  light.specular = three(model.vis.headlight.specular);
+  light.ambient = three(air.ambient);
+  light.diffuse = three(air.diffuse);
+  light.specular = three(air.specular);
   return light;
 }
 
-Light light_of(const mjModel& model, const mjData& data, int i) {
+Light light_of(const render::Lights& lights, const render::Poses& poses, int i) {
   Light light;
-  light.directional = compat::is_directional(model, i);
-  light.position = Eigen::Map<const Vec>(data.light_xpos + 3 * i);
-  light.direction = Eigen::Map<const Vec>(data.light_xdir + 3 * i);
-  light.ambient = three(model.light_ambient + 3 * i);
-  light.diffuse = three(model.light_diffuse + 3 * i);
-  light.specular = three(model.light_specular + 3 * i);
-  light.attenuation = three(model.light_attenuation + 3 * i);
+  light.directional = lights.is_directional(i);
+  light.position = Eigen::Map<const Vec>(poses.light_positions + 3 * i);
+  light.direction = Eigen::Map<const Vec>(poses.light_directions + 3 * i);
+  light.ambient = three(lights.ambient + 3 * i);
+  light.diffuse = three(lights.diffuse + 3 * i);
+  light.specular = three(lights.specular + 3 * i);
+  light.attenuation = three(lights.attenuation + 3 * i);
   if (light.directional) return light;
-  const double cutoff = model.light_cutoff[i];
+  const double cutoff = lights.cutoff[i];
   light.spot = cutoff < 180;
   light.cos_cutoff = static_cast<float>(std::cos(cutoff * kPi / 180));
-  light.exponent = power(model.light_exponent[i]);
+  light.exponent = power(lights.exponent[i]);
   light.attenuated = light.attenuation[0] != 1 || light.attenuation[1] != 0 || light.attenuation[2] != 0;
   return light;
 }
@@ -60,23 +60,24 @@ bool never_shades(const Solid& solid, const Eye& light, const Eye& camera) {
 
 }  // namespace
 
-Lights::Lights(const mjModel& model, std::size_t most) : local_(most * kMaxLights) {
+Lights::Lights(const render::Lights& given, std::size_t most) : local_(most * kMaxLights) {
   int shadows = 0;
-  for (int i = 0; i < model.nlight && shadows < kMaxLights; ++i) shadows += model.light_castshadow[i] != 0;
+  for (int i = 0; i < given.count && shadows < kMaxLights; ++i) shadows += given.casts_shadow[i] != 0;
   for (int i = 0; i < shadows; ++i) casters_[i].aspects.resize(most);
 }
 
-void Lights::gather(const mjModel& model, const mjData& data, const Solids& solids, const Camera& camera,
+void Lights::gather(const render::Stage& stage, const render::Poses& poses, const Solids& solids, const Camera& camera,
                     bool shadows) {
+  const render::Lights& given = stage.lights;
   count_ = 0;
   caster_count_ = 0;
-  if (model.vis.headlight.active) lights_[count_++] = headlight(model, camera.axes.col(2));
-  for (int i = 0; i < model.nlight && count_ < kMaxLights; ++i) {
-    if (!model.light_active[i]) continue;
-    Light light = light_of(model, data, i);
-    if (shadows && model.light_castshadow[i]) {
+  if (stage.air.headlight) lights_[count_++] = headlight(stage.air, camera.axes.col(2));
+  for (int i = 0; i < given.count && count_ < kMaxLights; ++i) {
+    if (!given.active[i]) continue;
+    Light light = light_of(given, poses, i);
+    if (shadows && given.casts_shadow[i]) {
       light.caster = caster_count_++;
-      open_eye(light, model.light_cutoff[i], casters_[light.caster]);
+      open_eye(light, given.cutoff[i], casters_[light.caster]);
     }
     lights_[count_++] = light;
   }

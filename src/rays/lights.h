@@ -1,9 +1,6 @@
 // The lights of a frame, and what they see: whatever something else sees first lies in shadow.
 #pragma once
 
-#include <mujoco/mjdata.h>
-#include <mujoco/mjmodel.h>
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -42,10 +39,11 @@ struct Caster : Eye {
 class Lights {
  public:
   // For so many solids at most.
-  Lights(const mjModel& model, std::size_t most);
+  Lights(const render::Lights& given, std::size_t most);
 
-  // The headlight, then the model's lights. The camera has looked around.
-  void gather(const mjModel& model, const mjData& data, const Solids& solids, const Camera& camera, bool shadows);
+  // The headlight, then the stage's lights. The camera has looked around.
+  void gather(const render::Stage& stage, const render::Poses& poses, const Solids& solids, const Camera& camera,
+              bool shadows);
 
   const Light& operator[](int i) const { return lights_[i]; }
   int count() const { return count_; }
@@ -55,7 +53,7 @@ class Lights {
   const Caster& caster(int i) const { return casters_[i]; }
   int caster_count() const { return caster_count_; }
   bool gray() const { return gray_; }         // all lights are without colour
-  float ambient() const { return ambient_; }  // of a model without lights
+  float ambient() const { return ambient_; }  // of a stage without lights
 
  private:
   void sum_up();

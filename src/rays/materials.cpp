@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/fail.h"
-#include "compat/mujoco.h"
 #include "rays/vectors.h"
 #include "render/surfaces.h"
 
@@ -26,12 +25,12 @@ class Level {
   // Pixels of so many bytes, row by row.
   template <int kChannels>
   void read(const unsigned char* from) const {
-    const int green = compat::channel_of(kChannels, 1), blue = compat::channel_of(kChannels, 2);
+    constexpr int kGreen = kChannels < 3 ? 0 : 1, kBlue = kChannels < 3 ? 0 : 2;  // of fewer the first is grey
     for (int y = 0; y < height_; ++y) {
       std::uint32_t* row = &at(0, y);
       for (int x = 0; x < width_; ++x, from += kChannels) {
-        row[x] = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[green]) << 8 |
-                 static_cast<std::uint32_t>(from[blue]) << 16;
+        row[x] = static_cast<std::uint32_t>(from[0]) | static_cast<std::uint32_t>(from[kGreen]) << 8 |
+                 static_cast<std::uint32_t>(from[kBlue]) << 16;
       }
     }
   }
@@ -107,31 +106,31 @@ std::size_t bordered(int width, int height) {
 
 }  // namespace
 
-Textures::Textures(const mjModel& model) {
-  textures_.resize(static_cast<std::size_t>(model.ntex));
+Textures::Textures(const render::Textures& given) {
+  textures_.resize(static_cast<std::size_t>(given.count));
   std::size_t size = 0;
-  for (int i = 0; i < model.ntex; ++i) {
+  for (int i = 0; i < given.count; ++i) {
     Texture& texture = textures_[i];
-    texture.cube = model.tex_type[i] != mjTEXTURE_2D;
-    texture.sky = model.tex_type[i] == mjTEXTURE_SKYBOX;
-    texture.width = model.tex_width[i];
-    texture.height = texture.cube ? texture.width : model.tex_height[i];
+    texture.cube = given.types[i] != render::kFlatTexture;
+    texture.sky = given.types[i] == render::kSkyTexture;
+    texture.width = given.widths[i];
+    texture.height = texture.cube ? texture.width : given.heights[i];
     for (int w = texture.width, h = texture.height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
       texture.origin[texture.levels++] = static_cast<std::int32_t>(size) + w + 3;
       size += bordered(w, h) * (texture.cube ? 6 : 1);
       if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() / 4)) {
-        fail(Status::kUnsupported, "the model's textures are too large for the ray renderer");
+        fail(Status::kUnsupported, "the textures are too large for the ray renderer");
       }
       if ((w == 1 && h == 1) || texture.levels == Texture::kMaxLevels) break;
     }
   }
   texels_.resize(size + 1);  // texels are read in pairs
-  for (int i = 0; i < model.ntex; ++i) {
+  const unsigned char* pixels = given.pixels;
+  for (int i = 0; i < given.count; ++i) {
     const Texture& texture = textures_[i];
-    const unsigned char* pixels = model.*compat::kPixels + model.tex_adr[i];
-    const int channels = compat::channels(model, i);
+    const int channels = given.channels == nullptr ? 3 : given.channels[i];
     // A cube texture as high as wide is one picture for all six faces.
-    const bool same_faces = texture.cube && model.tex_height[i] == model.tex_width[i];
+    const bool same_faces = texture.cube && given.heights[i] == given.widths[i];
     for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
       int width = texture.width;
       int height = texture.height;
@@ -152,6 +151,7 @@ Textures::Textures(const mjModel& model) {
         level = next;
       }
     }
+    pixels += static_cast<std::size_t>(channels) * given.widths[i] * given.heights[i];
   }
 }
 
@@ -169,9 +169,9 @@ Power power(double exponent) {
   return p;
 }
 
-Material material_of(const mjModel& model, int id, const float* rgba, const render::Shape& shape,
+Material material_of(const render::Materials& materials, int id, const float* rgba, const render::Shape& shape,
                      const Textures& textures) {
-  const render::Paint paint = render::paint_of(model, id, rgba);
+  const render::Paint paint = render::paint_of(materials, id, rgba);
   Material material;
   material.rgb = three(paint.color.data());
   material.alpha = paint.color[3];
@@ -181,7 +181,7 @@ Material material_of(const mjModel& model, int id, const float* rgba, const rend
   material.shininess = power(128.0 * paint.shininess);
   material.texture = textures.find(paint.texture);
   if (material.texture != nullptr) {
-    material.mapping = render::map_texture(model, id, material.texture->cube, shape);
+    material.mapping = render::map_texture(materials, id, material.texture->cube, shape);
     if (material.mapping.kind == Mapping::kNone) material.texture = nullptr;
   }
   return material;

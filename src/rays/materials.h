@@ -1,8 +1,6 @@
 // The materials and textures of solids, in the terms of the kernels.
 #pragma once
 
-#include <mujoco/mjmodel.h>
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -11,7 +9,7 @@
 
 namespace mimo::rays {
 
-// Textures with their mipmaps, immutable and shared by the renderers of one model.
+// Textures with their mipmaps, immutable and shared by the renderers of one stage.
 
 struct Texture {
   static constexpr int kMaxLevels = 16;
@@ -29,12 +27,13 @@ struct Texture {
 
 class Textures {
  public:
-  explicit Textures(const mjModel& model);
+  // Throws Status::kUnsupported where they are too large.
+  explicit Textures(const render::Textures& given);
 
   const Texture* find(int id) const { return id < 0 || id >= count() ? nullptr : &textures_[id]; }
   const Texture* sky() const;  // the first skybox, null where there is none
   int count() const { return static_cast<int>(textures_.size()); }
-  // Texels are 0x00BBGGRR, row 0 first as in the model.
+  // Texels are 0x00BBGGRR, row 0 first as they were given.
   const std::uint32_t* texels() const { return texels_.data(); }
   std::size_t bytes() const { return texels_.size() * sizeof(std::uint32_t); }
 
@@ -69,7 +68,7 @@ struct Material {
 Power power(double exponent);
 
 // Of a geom or site: its material (-1 for none) and its own colour.
-Material material_of(const mjModel& model, int id, const float* rgba, const render::Shape& shape,
+Material material_of(const render::Materials& materials, int id, const float* rgba, const render::Shape& shape,
                      const Textures& textures);
 
 }  // namespace mimo::rays

@@ -12,15 +12,15 @@
 namespace mimo::rays {
 namespace {
 
-Mesh mesh_of(const mjModel& model, int id) {
-  MeshBuilder builder(model.mesh_facenum[id]);
-  render::each_triangle_of_mesh(model, id, [&](const Corners& corners) { builder.add(corners); });
-  return builder.finish(model.mesh_texcoordadr[id] >= 0);
+Mesh mesh_of(const render::Meshes& meshes, int id) {
+  MeshBuilder builder(meshes.triangle_count[id]);
+  render::each_triangle_of_mesh(meshes, id, [&](const Corners& corners) { builder.add(corners); });
+  return builder.finish(meshes.first_texcoord[id] >= 0);
 }
 
-Mesh field_of(const mjModel& model, int id) {
-  MeshBuilder builder(2.0 * (model.hfield_nrow[id] + 1) * (model.hfield_ncol[id] + 1));
-  render::each_triangle_of_field(model, id, [&](const Corners& corners) { builder.add(corners); });
+Mesh field_of(const render::Fields& fields, int id) {
+  MeshBuilder builder(2.0 * (fields.rows[id] + 1) * (fields.columns[id] + 1));
+  render::each_triangle_of_field(fields, id, [&](const Corners& corners) { builder.add(corners); });
   return builder.finish(false);
 }
 
@@ -100,14 +100,15 @@ void measure(Mesh& mesh) {
 
 }  // namespace
 
-Meshes::Meshes(const mjModel& model) {
-  for (int i = 0; i < model.nmesh; ++i) meshes_.push_back(mesh_of(model, i));
-  for (int i = 0; i < model.nhfield; ++i) fields_.push_back(field_of(model, i));
+Meshes::Meshes(const render::Stage& stage) {
+  for (int i = 0; i < stage.meshes.count; ++i) meshes_.push_back(mesh_of(stage.meshes, i));
+  for (int i = 0; i < stage.fields.count; ++i) fields_.push_back(field_of(stage.fields, i));
 }
 
-const Mesh* Meshes::find(int geom_type, int data_id) const {
-  if (geom_type != mjGEOM_MESH && geom_type != mjGEOM_HFIELD) return nullptr;
-  const std::vector<Mesh>& all = geom_type == mjGEOM_MESH ? meshes_ : fields_;
+const Mesh* Meshes::find(int shape_type, int data_id) const {
+  const bool field = shape_type == render::kFieldShape;
+  if (!field && shape_type != render::kMeshShape && shape_type != render::kDistanceShape) return nullptr;
+  const std::vector<Mesh>& all = field ? fields_ : meshes_;
   return data_id >= 0 && data_id < static_cast<int>(all.size()) ? &all[data_id] : nullptr;
 }
 
@@ -158,7 +159,7 @@ void refit(Mesh& mesh) {
 
 MeshBuilder::MeshBuilder(double most) {
   if (most * kSurfaceFloats <= std::numeric_limits<std::int32_t>::max()) return;
-  fail(Status::kUnsupported, "a mesh or height field of the model is too large for the ray renderer");
+  fail(Status::kUnsupported, "a mesh or height field is too large for the ray renderer");
 }
 
 void MeshBuilder::add(const Corners& corners, bool keep) {

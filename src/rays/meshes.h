@@ -1,7 +1,5 @@
-// Triangle meshes and height fields in the form in which rays find them: immutable, shared by the renderers of a model.
+// Triangle meshes and height fields in the form in which rays find them: immutable, shared by the renderers of a stage.
 #pragma once
-
-#include <mujoco/mjmodel.h>
 
 #include <array>
 #include <cstddef>
@@ -94,10 +92,10 @@ struct Mesh {
 
 class Meshes {
  public:
-  explicit Meshes(const mjModel& model);
+  explicit Meshes(const render::Stage& stage);
 
-  // Null for geoms of other types.
-  const Mesh* find(int geom_type, int data_id) const;
+  // Null for shapes of other types.
+  const Mesh* find(int shape_type, int data_id) const;
 
  private:
   std::vector<Mesh> meshes_, fields_;

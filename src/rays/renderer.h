@@ -3,9 +3,9 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "engine/model.h"
+#include "rays/painter.h"
 #include "render/renderer.h"
 
 namespace mimo::rays {
@@ -13,7 +13,6 @@ namespace mimo::rays {
 struct Assets;
 class Textures;
 
-// With several samples colours are averaged; depth and segmentation are those of the middle of the pixel.
 struct Options : render::Quality {
   Options() = default;
   explicit Options(const render::Quality& quality) : render::Quality(quality) {}
@@ -21,9 +20,6 @@ struct Options : render::Quality {
   std::string simd;                      // one of simd_paths(); empty: the best that the machine has
   std::shared_ptr<const Assets> assets;  // of another renderer of the same model; null: made anew
 };
-
-// The instruction sets that this build and this machine share, best first, e.g. "AVX2".
-std::vector<std::string> simd_paths();
 
 // A model's textures with their mipmaps. Throws Status::kUnsupported where they are too large.
 std::shared_ptr<const Textures> make_textures(const engine::ModelPtr& model);

@@ -4,21 +4,20 @@
 #include <cmath>
 
 #include "base/numbers.h"
-#include "rays/extras.h"
 #include "rays/frame.h"
 #include "render/renderer.h"
 #include "render/surfaces.h"
 
 namespace mimo::rays {
 
-// One geom or site, as MuJoCo stores it, or one of the extras.
+// One shape, or one of the extras.
 struct Solids::Element {
   int type, id;  // id: what segmentation shows
   const double *size, *position, *rotation;
   int material;
   const float* rgba;
-  bool is_geom;
-  const Mesh* mesh;  // of a mesh, height field or skin
+  bool prescaled, surface;  // textures lie by its size; only where it has its own coordinates
+  const Mesh* mesh;         // of a mesh, height field or surface
 };
 
 namespace {
@@ -43,66 +42,36 @@ bool has_place(const double* position, const double* rotation) {
 
 }  // namespace
 
-Solids::Solids(const mjModel& model, const Assets& assets) : assets_(assets) {
-  std::size_t most = static_cast<std::size_t>(model.ngeom + model.nsite);
-  if (Extras::any(model)) {
-    extras_ = std::make_unique<Extras>(model, assets.skins);
-    most += static_cast<std::size_t>(extras_->most());
-  }
-  solids_.resize(most);
-}
-
-Solids::~Solids() = default;
-
-void Solids::gather(const mjModel& model, const mjData& data, const render::View& view) {
-  if (extras_ != nullptr) extras_->update(model, data, view);
+void Solids::gather(const render::Stage& stage, const render::Poses& poses, Span<const Extra> extras,
+                    const render::View& view) {
   count_ = 0;
   meshes_ = false;
   mirror_ = -1;
   ground_ = -1;
-  for (int i = 0; i < model.ngeom; ++i) {
-    if (!render::is_shown(model.geom_group[i])) continue;
-    add(model,
-        {model.geom_type[i], i, model.geom_size + 3 * i, data.geom_xpos + 3 * i, data.geom_xmat + 9 * i,
-         model.geom_matid[i], model.geom_rgba + 4 * i, true,
-         assets_.meshes.find(model.geom_type[i], model.geom_dataid[i])},
+  add_shapes(stage, stage.geoms, poses.geoms, view.position);
+  add_shapes(stage, stage.sites, poses.sites, view.position);
+  for (const Extra& extra : extras) {
+    add(stage.materials,
+        {extra.type, extra.id, extra.size, extra.position, extra.rotation, extra.material, extra.rgba, false,
+         extra.mesh != nullptr, extra.mesh},
         view.position);
-  }
-  for (int i = 0; i < model.nsite; ++i) {
-    if (!render::is_shown(model.site_group[i])) continue;
-    add(model,
-        {model.site_type[i], -1, model.site_size + 3 * i, data.site_xpos + 3 * i, data.site_xmat + 9 * i,
-         model.site_matid[i], model.site_rgba + 4 * i, false, nullptr},
-        view.position);
-  }
-  if (extras_ != nullptr) add_extras(model, view.position);
-}
-
-// Extras are MuJoCo's visual geoms: in single precision, and with the sizes that OpenGL scales unit shapes by.
-void Solids::add_extras(const mjModel& model, const Vec& eye) {
-  for (int i = 0; i < extras_->count(); ++i) {
-    const mjvGeom& geom = extras_->geom(i);
-    double position[3];
-    double rotation[9];
-    std::copy_n(geom.pos, 3, position);
-    std::copy_n(geom.mat, 9, rotation);
-    double size[3] = {geom.size[0], geom.size[2], 0};
-    const Mesh* mesh = nullptr;
-    int material = -1;
-    const float* rgba = geom.rgba;
-    if (geom.objtype == mjOBJ_TENDON) {
-      material = model.tendon_matid[geom.objid];
-      rgba = model.tendon_rgba + 4 * geom.objid;
-    } else if (geom.type == mjGEOM_SKIN) {
-      material = model.skin_matid[geom.objid];
-      rgba = model.skin_rgba + 4 * geom.objid;
-      mesh = &extras_->skin(geom.objid, position);
-    }
-    add(model, {geom.type, -1, size, position, rotation, material, rgba, false, mesh}, eye);
   }
 }
 
-void Solids::add(const mjModel& model, const Element& element, const Vec& eye) {
+void Solids::add_shapes(const render::Stage& stage, const render::Shapes& shapes, const render::Places& places,
+                        const Vec& eye) {
+  for (int i = 0; i < shapes.count; ++i) {
+    if (!render::is_shown(shapes.groups == nullptr ? 0 : shapes.groups[i], shapes.shown)) continue;
+    const Mesh* mesh = shapes.data == nullptr ? nullptr : assets_.find(shapes.types[i], shapes.data[i]);
+    add(stage.materials,
+        {shapes.types[i], shapes.first_id < 0 ? -1 : shapes.first_id + i, shapes.sizes + 3 * i,
+         places.positions + 3 * i, places.rotations + 9 * i, shapes.materials[i], shapes.colors + 4 * i,
+         shapes.prescaled, false, mesh},
+        eye);
+  }
+}
+
+void Solids::add(const render::Materials& materials, const Element& element, const Vec& eye) {
   Solid solid;
   if (!render::form_of(element.type, solid.kind) || !has_place(element.position, element.rotation)) return;
   solid.id = element.id;
@@ -110,13 +79,13 @@ void Solids::add(const mjModel& model, const Element& element, const Vec& eye) {
   solid.position = Eigen::Map<const Vec>(element.position);
   solid.rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(element.rotation);
   const bool plane = solid.kind == Form::kPlane;
-  const bool prescaled = element.is_geom && (plane || solid.kind == Form::kMesh);
+  const bool prescaled = element.prescaled && (plane || solid.kind == Form::kMesh);
   solid.mesh = element.mesh;
   const bool given = solid.mesh != nullptr && solid.mesh->textured;
-  solid.material =
-      material_of(model, element.material, element.rgba, {solid.kind, solid.size, prescaled, given}, assets_.textures);
+  solid.material = material_of(materials, element.material, element.rgba, {solid.kind, solid.size, prescaled, given},
+                               assets_.textures);
   if (solid.material.alpha == 0) return;
-  if (element.type == mjGEOM_SKIN && !given) solid.material.mapping.kind = Mapping::kNone;
+  if (element.surface && !given) solid.material.mapping.kind = Mapping::kNone;
   if (solid.kind == Form::kMesh) {
     if (solid.mesh == nullptr || solid.mesh->nodes.empty()) return;
     solid.size = solid.mesh->half;

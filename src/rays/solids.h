@@ -1,17 +1,15 @@
-// The solids of a frame: the geoms, sites and extras that MuJoCo shows.
+// The solids of a frame: the geoms, sites and extras that a picture shows.
 #pragma once
-
-#include <mujoco/mjdata.h>
-#include <mujoco/mjmodel.h>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
+#include "base/span.h"
 #include "rays/materials.h"
 #include "rays/meshes.h"
 #include "rays/vectors.h"
+#include "render/stage.h"
 
 namespace mimo::render {
 struct View;
@@ -20,7 +18,18 @@ struct View;
 namespace mimo::rays {
 
 struct Assets;
-class Extras;
+
+// What a picture shows beside geoms and sites: pieces of tendons, surfaces, a marker.
+struct Extra {
+  int type = render::kSphereShape;  // a ShapeType
+  double size[3] = {0, 0, 0};
+  double position[3] = {0, 0, 0};
+  double rotation[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  int material = -1;
+  const float* rgba = nullptr;  // 4
+  const Mesh* mesh = nullptr;   // of a surface, around its position
+  std::int32_t id = -1;         // what segmentation shows
+};
 
 struct Solid {
   Form kind = Form::kSphere;
@@ -39,14 +48,14 @@ inline Vec to_local(const Solid& solid, const Vec& v) { return seen_from(solid.r
 
 class Solids {
  public:
-  // Both belong to one model; the assets outlive this.
-  Solids(const mjModel& model, const Assets& assets);
-  ~Solids();
+  // For so many at most; the assets outlive this.
+  Solids(std::size_t most, const Assets& assets) : assets_(assets), solids_(most) {}
   Solids(const Solids&) = delete;
   Solids& operator=(const Solids&) = delete;
 
-  // What is to be drawn now from this view. Throws Status::kRender.
-  void gather(const mjModel& model, const mjData& data, const render::View& view);
+  // What is to be drawn now from this view.
+  void gather(const render::Stage& stage, const render::Poses& poses, Span<const Extra> extras,
+              const render::View& view);
 
   const Solid& operator[](int i) const { return solids_[i]; }
   int count() const { return count_; }
@@ -58,11 +67,11 @@ class Solids {
  private:
   struct Element;
 
-  void add(const mjModel& model, const Element& element, const Vec& eye);
-  void add_extras(const mjModel& model, const Vec& eye);
+  void add_shapes(const render::Stage& stage, const render::Shapes& shapes, const render::Places& places,
+                  const Vec& eye);
+  void add(const render::Materials& materials, const Element& element, const Vec& eye);
 
   const Assets& assets_;
-  std::unique_ptr<Extras> extras_;  // null where the model has none
   std::vector<Solid> solids_;
   int count_ = 0;
   bool meshes_ = false;

@@ -18,6 +18,12 @@ struct View {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // world, m
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();  // columns are right, up and backward in the world
   double fovy = 60;                                    // vertical field of view, degrees
+  // Of a camera that is no pinhole before the middle of square pixels: slopes (over depth) of the picture's edges,
+  // which then count instead of fovy and the picture's shape.
+  struct Edges {
+    double left = 0, right = 0, bottom = 0, top = 0;
+    bool given() const { return right > left && top > bottom; }
+  } edges;
 };
 
 // What is wanted; null pointers are not. Row 0 is the top.
@@ -27,6 +33,8 @@ struct Picture {
   std::uint8_t* rgb = nullptr;           // height x width x 3
   float* depth = nullptr;                // height x width, m along the camera's axis; far plane where nothing is
   std::int32_t* segmentation = nullptr;  // height x width, geom id; -1 where nothing is
+  // From one row to the next: bytes, and numbers; 0: as the width says. Only rays draw with others.
+  std::size_t row_bytes = 0, depth_row = 0, segmentation_row = 0;
 };
 
 // How good pictures are, against what they cost. MuJoCo's switches of these names, and as it sets them.

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "compat/mujoco.h"
-
 namespace mimo::render {
 namespace {
 
@@ -45,18 +43,19 @@ float over(float a, float b) { return b > 0 ? a / b : 0.0F; }
 
 // As MuJoCo draws them: with texture coordinates, normals are those of the vertices; without, only where they are near
 // that of the triangle.
-void each_triangle_of_mesh(const mjModel& model, int id, const TakeTriangle& take) {
-  const std::ptrdiff_t first = model.mesh_vertadr[id];
-  const std::ptrdiff_t texture = model.mesh_texcoordadr[id];
-  for (int i = 0; i < model.mesh_facenum[id]; ++i) {
-    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(model.mesh_faceadr[id]) + i;
-    const int *face = model.mesh_face + 3 * at, *normals = compat::face_normals(model, at);
-    const int* texels = compat::face_texcoords(model, at);
+void each_triangle_of_mesh(const Meshes& meshes, int id, const TakeTriangle& take) {
+  const std::ptrdiff_t first = meshes.first_vertex[id];
+  const std::ptrdiff_t first_normal = meshes.first_normal[id];
+  const std::ptrdiff_t texture = meshes.first_texcoord[id];
+  for (int i = 0; i < meshes.triangle_count[id]; ++i) {
+    const std::ptrdiff_t at = 3 * (static_cast<std::ptrdiff_t>(meshes.first_triangle[id]) + i);
+    const int *face = meshes.triangles + at, *normals = meshes.normal_triangles + at;
+    const int* texels = meshes.texcoord_triangles + at;
     Corners corners;
     for (int k = 0; k < 3; ++k) {
-      corners[k].place = vertex(model.mesh_vert, first + face[k]);
-      corners[k].normal = vertex(model.mesh_normal, compat::first_normal(model, id) + normals[k]);
-      if (texture >= 0) std::copy_n(model.mesh_texcoord + 2 * (texture + texels[k]), 2, corners[k].texture.begin());
+      corners[k].place = vertex(meshes.vertices, first + face[k]);
+      corners[k].normal = vertex(meshes.normals, first_normal + normals[k]);
+      if (texture >= 0) std::copy_n(meshes.texcoords + 2 * (texture + texels[k]), 2, corners[k].texture.begin());
     }
     if (texture < 0) {
       const Vec normal = normal_of(corners);
@@ -69,11 +68,11 @@ void each_triangle_of_mesh(const mjModel& model, int id, const TakeTriangle& tak
 }
 
 // The surface, four sides and the bottom.
-void each_triangle_of_field(const mjModel& model, int id, const TakeTriangle& take) {
-  const int rows = model.hfield_nrow[id];
-  const int columns = model.hfield_ncol[id];
-  const double* size = model.hfield_size + 4 * static_cast<std::ptrdiff_t>(id);
-  const float* data = model.hfield_data + model.hfield_adr[id];
+void each_triangle_of_field(const Fields& fields, int id, const TakeTriangle& take) {
+  const int rows = fields.rows[id];
+  const int columns = fields.columns[id];
+  const double* size = fields.sizes + 4 * static_cast<std::ptrdiff_t>(id);
+  const float* data = fields.heights + fields.first[id];
   const auto at = [=](int row, int column) {
     return Vec(size[0] * (2.0 * column / (columns - 1) - 1), size[1] * (2.0 * row / (rows - 1) - 1),
                size[2] * data[static_cast<std::ptrdiff_t>(row) * columns + column]);
@@ -102,16 +101,16 @@ void each_triangle_of_field(const mjModel& model, int id, const TakeTriangle& ta
 }
 
 // OpenGL's object coordinates are those of a unit shape that is then scaled, except for prescaled ones.
-TextureMapping map_texture(const mjModel& model, int material, bool cube, const Shape& shape) {
+TextureMapping map_texture(const Materials& materials, int material, bool cube, const Shape& shape) {
   const std::array<float, 3> scale = scale_of(shape);
-  const bool uniform = model.mat_texuniform[material] != 0;
+  const bool uniform = materials.uniform[material] != 0;
   TextureMapping mapping;
   if (shape.given) {
     if (!cube) mapping.kind = Mapping::kGiven;
   } else if (!cube) {
     mapping.kind = Mapping::kFlat;
     for (int k = 0; k < 2; ++k) {
-      float repeat = model.mat_texrepeat[2 * material + k];
+      float repeat = materials.repeats[2 * material + k];
       if (shape.prescaled && shape.size[k] > 0) repeat /= shape.size[k];
       if (uniform && scale[k] > 0) repeat *= scale[k];
       mapping.scale[k] = (k == 0 ? 0.5F : -0.5F) * (shape.prescaled ? repeat : over(repeat, scale[k]));
@@ -131,35 +130,33 @@ TextureMapping map_texture(const mjModel& model, int material, bool cube, const 
   return mapping;
 }
 
-Paint paint_of(const mjModel& model, int material, const float* rgba) {
+Paint paint_of(const Materials& materials, int material, const float* rgba) {
   Paint paint;
   // MuJoCo takes an element's own colour only where it differs from the default.
   const bool is_default = rgba[0] == 0.5F && rgba[1] == 0.5F && rgba[2] == 0.5F && rgba[3] == 1.0F;
-  std::copy_n(material >= 0 && is_default ? model.mat_rgba + 4 * material : rgba, 4, paint.color.begin());
+  std::copy_n(material >= 0 && is_default ? materials.colors + 4 * material : rgba, 4, paint.color.begin());
   if (material < 0) return paint;
-  paint.emission = model.mat_emission[material];
-  paint.specular = model.mat_specular[material];
-  paint.shininess = model.mat_shininess[material];
-  paint.reflectance = model.mat_reflectance[material];
-  paint.texture = compat::color_texture(model, material);
+  paint.emission = materials.emission[material];
+  paint.specular = materials.specular[material];
+  paint.shininess = materials.shininess[material];
+  paint.reflectance = materials.reflectance[material];
+  paint.texture = materials.textures[static_cast<std::ptrdiff_t>(material) * materials.texture_stride];
   return paint;
 }
 
 bool form_of(int type, Form& form) {
   switch (type) {
-    case mjGEOM_PLANE: form = Form::kPlane; return true;
-    case mjGEOM_SPHERE: form = Form::kSphere; return true;
-    case mjGEOM_CAPSULE: form = Form::kCapsule; return true;
-    case mjGEOM_ELLIPSOID: form = Form::kEllipsoid; return true;
-    case mjGEOM_CYLINDER: form = Form::kCylinder; return true;
-    case mjGEOM_BOX: form = Form::kBox; return true;
-    case mjGEOM_MESH:
-    case mjGEOM_HFIELD:
-    case mjGEOM_SKIN: form = Form::kMesh; return true;
+    case kPlaneShape: form = Form::kPlane; return true;
+    case kSphereShape: form = Form::kSphere; return true;
+    case kCapsuleShape: form = Form::kCapsule; return true;
+    case kEllipsoidShape: form = Form::kEllipsoid; return true;
+    case kCylinderShape: form = Form::kCylinder; return true;
+    case kBoxShape: form = Form::kBox; return true;
+    case kMeshShape:
+    case kFieldShape:
+    case kDistanceShape: form = Form::kMesh; return true;
     default: return false;
   }
 }
-
-bool is_shown(int group) { return std::clamp(group, 0, 5) <= 2; }
 
 }  // namespace mimo::render

@@ -1,13 +1,13 @@
-// What surfaces consist of and look like in MuJoCo: triangles, paint, and how textures lie on them.
+// What surfaces consist of and look like, as MuJoCo has it: triangles, paint, and how textures lie on them.
 #pragma once
-
-#include <mujoco/mjmodel.h>
 
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+
+#include "render/stage.h"
 
 namespace mimo::render {
 
@@ -28,7 +28,7 @@ inline Eigen::Vector3d seen_from(const Eigen::Matrix3d& axes, const Eigen::Vecto
   return {dot(axes.col(0), v), dot(axes.col(1), v), dot(axes.col(2), v)};
 }
 
-// The triangles that a model's meshes and height fields consist of, in their own frames.
+// The triangles that meshes and height fields consist of, in their own frames.
 
 struct Corner {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -38,8 +38,8 @@ struct Corner {
 using Corners = std::array<Corner, 3>;  // counter-clockwise from outside
 using TakeTriangle = std::function<void(const Corners&)>;
 
-void each_triangle_of_mesh(const mjModel& model, int id, const TakeTriangle& take);
-void each_triangle_of_field(const mjModel& model, int id, const TakeTriangle& take);
+void each_triangle_of_mesh(const Meshes& meshes, int id, const TakeTriangle& take);
+void each_triangle_of_field(const Fields& fields, int id, const TakeTriangle& take);
 
 // How textures lie on shapes, as MuJoCo lays them.
 
@@ -51,7 +51,7 @@ enum class Mapping : std::int32_t { kNone, kFlat, kCube, kGiven };  // kGiven: c
 struct Shape {
   Form kind;
   std::array<float, 3> size;  // as the model has it
-  bool prescaled;             // drawn at its size, not as a unit shape that is scaled: planes and meshes of the model
+  bool prescaled;             // drawn at its size, not as a unit shape that is scaled: geoms that are planes or meshes
   bool given;                 // has texture coordinates of its own
 };
 
@@ -65,7 +65,7 @@ struct TextureMapping {
 };
 
 // A cube texture cannot be laid on what has coordinates of its own: kNone then.
-TextureMapping map_texture(const mjModel& model, int material, bool cube, const Shape& shape);
+TextureMapping map_texture(const Materials& materials, int material, bool cube, const Shape& shape);
 
 // What something is painted with, and whether it is drawn at all, as MuJoCo has it.
 
@@ -79,12 +79,9 @@ struct Paint {
 };
 
 // Of a geom or site: its material (-1 for none) and its own colour.
-Paint paint_of(const mjModel& model, int material, const float* rgba);
+Paint paint_of(const Materials& materials, int material, const float* rgba);
 
-// The form of a mjtGeom; false for what has none of its own.
+// The form of a ShapeType; false for what has none of its own.
 bool form_of(int type, Form& form);
-
-// Of the groups that MuJoCo shows by default.
-bool is_shown(int group);
 
 }  // namespace mimo::render

@@ -656,6 +656,40 @@ namespace Mimo
         Sky = 2
     }
 
+    /// <summary>Forms of shapes on a stage, and what their size is.</summary>
+    public enum Form
+    {
+        /// <summary>z = 0, seen from above: half sides along x and y, 0 for an endless one; unused.</summary>
+        Plane = 0,
+        /// <summary>A height field, which has its own size.</summary>
+        Field = 1,
+        /// <summary>Radius.</summary>
+        Sphere = 2,
+        /// <summary>Along z: radius, half length of the straight part.</summary>
+        Capsule = 3,
+        /// <summary>Three radii.</summary>
+        Ellipsoid = 4,
+        /// <summary>Along z: radius, half length.</summary>
+        Cylinder = 5,
+        /// <summary>Three half sides.</summary>
+        Box = 6,
+        /// <summary>A mesh, which has its own size.</summary>
+        Mesh = 7,
+        /// <summary>A signed distance field, drawn as its mesh.</summary>
+        Distance = 8
+    }
+
+    /// <summary>Types of lights on a stage.</summary>
+    public enum Lamp
+    {
+        /// <summary>A cone from a position.</summary>
+        Spot = 0,
+        /// <summary>Parallel light along a direction.</summary>
+        Sun = 1,
+        /// <summary>From a position in all directions.</summary>
+        Point = 2
+    }
+
     /// <summary>What turns to look at a point.</summary>
     public enum Look
     {

@@ -905,6 +905,42 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_timing_reset"); }
         }
 
+        internal static int mimo_stage_air_init(out StageAirStruct air, UIntPtr size)
+        {
+            try { return Entry.mimo_stage_air_init(out air, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_air_init"); }
+        }
+
+        internal static int mimo_stage_create(ref StageConfigStruct config, out StageHandle stage)
+        {
+            try { return Entry.mimo_stage_create(ref config, out stage); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_create"); }
+        }
+
+        internal static void mimo_stage_destroy(IntPtr stage)
+        {
+            try { Entry.mimo_stage_destroy(stage); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_destroy"); }
+        }
+
+        internal static int mimo_stage_update(StageHandle stage, ref StageConfigStruct config)
+        {
+            try { return Entry.mimo_stage_update(stage, ref config); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_update"); }
+        }
+
+        internal static int mimo_stage_view_init(out StageViewStruct view, UIntPtr size)
+        {
+            try { return Entry.mimo_stage_view_init(out view, size); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_view_init"); }
+        }
+
+        internal static int mimo_stage_draw(StageHandle stage, ref StagePosesStruct poses, UIntPtr pose_count, ref StageViewStruct views, UIntPtr view_count)
+        {
+            try { return Entry.mimo_stage_draw(stage, ref poses, pose_count, ref views, view_count); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_draw"); }
+        }
+
         internal static int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size)
         {
             try { return Entry.mimo_recorder_config_init(out config, size); }
@@ -1196,6 +1232,12 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_env_light(EnvHandle env, int id, ref LightStruct light);
             [DllImport(File)] internal static extern int mimo_env_timing(EnvHandle env, ref TimingStruct timing);
             [DllImport(File)] internal static extern int mimo_env_timing_reset(EnvHandle env);
+            [DllImport(File)] internal static extern int mimo_stage_air_init(out StageAirStruct air, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_stage_create(ref StageConfigStruct config, out StageHandle stage);
+            [DllImport(File)] internal static extern void mimo_stage_destroy(IntPtr stage);
+            [DllImport(File)] internal static extern int mimo_stage_update(StageHandle stage, ref StageConfigStruct config);
+            [DllImport(File)] internal static extern int mimo_stage_view_init(out StageViewStruct view, UIntPtr size);
+            [DllImport(File)] internal static extern int mimo_stage_draw(StageHandle stage, ref StagePosesStruct poses, UIntPtr pose_count, ref StageViewStruct views, UIntPtr view_count);
             [DllImport(File)] internal static extern int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder);
             [DllImport(File)] internal static extern int mimo_recorder_flush(RecorderHandle recorder);

@@ -851,6 +851,330 @@ namespace Mimo
     }
 
     [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageShapesStruct
+    {
+        internal uint struct_size;
+        internal int object_type;
+        internal UIntPtr count;
+        internal IntPtr forms;
+        internal IntPtr sizes;
+        internal IntPtr colors;
+        internal IntPtr materials;
+        internal IntPtr groups;
+        internal IntPtr data;
+
+        internal const uint Bytes = 64;
+
+        internal static StageShapesStruct New()
+        {
+            return new StageShapesStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageMeshesStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr count;
+        internal IntPtr vertex_counts;
+        internal IntPtr normal_counts;
+        internal IntPtr texcoord_counts;
+        internal IntPtr triangle_counts;
+        internal IntPtr vertices;
+        internal UIntPtr vertex_total;
+        internal IntPtr normals;
+        internal UIntPtr normal_total;
+        internal IntPtr texcoords;
+        internal UIntPtr texcoord_total;
+        internal IntPtr triangles;
+        internal IntPtr normal_triangles;
+        internal IntPtr texcoord_triangles;
+        internal UIntPtr triangle_total;
+
+        internal const uint Bytes = 128;
+
+        internal static StageMeshesStruct New()
+        {
+            return new StageMeshesStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageFieldsStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr count;
+        internal IntPtr rows;
+        internal IntPtr columns;
+        internal IntPtr sizes;
+        internal IntPtr heights;
+        internal UIntPtr height_total;
+
+        internal const uint Bytes = 56;
+
+        internal static StageFieldsStruct New()
+        {
+            return new StageFieldsStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageTexturesStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr count;
+        internal IntPtr types;
+        internal IntPtr widths;
+        internal IntPtr heights;
+        internal IntPtr channels;
+        internal IntPtr pixels;
+        internal UIntPtr pixel_bytes;
+
+        internal const uint Bytes = 64;
+
+        internal static StageTexturesStruct New()
+        {
+            return new StageTexturesStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageMaterialsStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr count;
+        internal IntPtr colors;
+        internal IntPtr emission;
+        internal IntPtr specular;
+        internal IntPtr shininess;
+        internal IntPtr reflectance;
+        internal IntPtr textures;
+        internal IntPtr repeats;
+        internal IntPtr uniform;
+
+        internal const uint Bytes = 80;
+
+        internal static StageMaterialsStruct New()
+        {
+            return new StageMaterialsStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageSurfacesStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr count;
+        internal IntPtr vertex_counts;
+        internal IntPtr element_counts;
+        internal IntPtr corners;
+        internal IntPtr texcoord_counts;
+        internal IntPtr vertices;
+        internal UIntPtr vertex_total;
+        internal IntPtr elements;
+        internal IntPtr texcoord_elements;
+        internal UIntPtr element_length;
+        internal IntPtr texcoords;
+        internal UIntPtr texcoord_total;
+        internal IntPtr radii;
+        internal IntPtr sheets;
+        internal IntPtr flat;
+        internal IntPtr colors;
+        internal IntPtr materials;
+        internal IntPtr groups;
+        internal IntPtr objects;
+
+        internal const uint Bytes = 160;
+
+        internal static StageSurfacesStruct New()
+        {
+            return new StageSurfacesStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageTendonsStruct
+    {
+        internal uint struct_size;
+        internal int object_type;
+        internal UIntPtr count;
+        internal IntPtr widths;
+        internal IntPtr colors;
+        internal IntPtr materials;
+        internal IntPtr groups;
+
+        internal const uint Bytes = 48;
+
+        internal static StageTendonsStruct New()
+        {
+            return new StageTendonsStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageLightsStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr count;
+        internal IntPtr types;
+        internal IntPtr active;
+        internal IntPtr casts_shadow;
+        internal IntPtr ambient;
+        internal IntPtr diffuse;
+        internal IntPtr specular;
+        internal IntPtr attenuation;
+        internal IntPtr cutoff;
+        internal IntPtr exponent;
+
+        internal const uint Bytes = 88;
+
+        internal static StageLightsStruct New()
+        {
+            return new StageLightsStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageAirStruct
+    {
+        internal uint struct_size;
+        internal uint headlight;
+        internal double near_plane;
+        internal double far_plane;
+        internal double fog_start;
+        internal double fog_end;
+        internal double haze;
+        internal Floats3 fog_color;
+        internal Floats3 haze_color;
+        internal Floats3 ambient;
+        internal Floats3 diffuse;
+        internal Floats3 specular;
+        internal uint reserved;
+
+        internal const uint Bytes = 112;
+
+        internal static StageAirStruct New()
+        {
+            StageAirStruct made;
+            MimoException.Check(Native.mimo_stage_air_init(out made, (UIntPtr)Bytes));
+            return made;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageConfigStruct
+    {
+        internal uint struct_size;
+        internal uint threads;
+        internal IntPtr geoms;
+        internal IntPtr sites;
+        internal IntPtr meshes;
+        internal IntPtr fields;
+        internal IntPtr textures;
+        internal IntPtr materials;
+        internal IntPtr surfaces;
+        internal IntPtr tendons;
+        internal IntPtr lights;
+        internal IntPtr air;
+        internal IntPtr log;
+        internal IntPtr log_user;
+
+        internal const uint Bytes = 104;
+
+        internal static StageConfigStruct New()
+        {
+            return new StageConfigStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StagePosesStruct
+    {
+        internal uint struct_size;
+        internal uint reserved;
+        internal UIntPtr geom_count;
+        internal IntPtr geom_positions;
+        internal IntPtr geom_rotations;
+        internal IntPtr geom_quaternions;
+        internal UIntPtr site_count;
+        internal IntPtr site_positions;
+        internal IntPtr site_rotations;
+        internal IntPtr site_quaternions;
+        internal UIntPtr light_count;
+        internal IntPtr light_positions;
+        internal IntPtr light_directions;
+        internal UIntPtr vertex_count;
+        internal IntPtr vertices;
+        internal UIntPtr tendon_count;
+        internal IntPtr tendon_first;
+        internal IntPtr tendon_points;
+        internal IntPtr path_points;
+        internal IntPtr path_objects;
+        internal UIntPtr path_count;
+        internal UIntPtr extra_count;
+        internal IntPtr extra_forms;
+        internal IntPtr extra_sizes;
+        internal IntPtr extra_positions;
+        internal IntPtr extra_rotations;
+        internal IntPtr extra_colors;
+        internal IntPtr extra_materials;
+        internal IntPtr extra_objects;
+
+        internal const uint Bytes = 224;
+
+        internal static StagePosesStruct New()
+        {
+            return new StagePosesStruct { struct_size = Bytes };
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct StageViewStruct
+    {
+        internal uint struct_size;
+        internal uint pose;
+        internal uint width;
+        internal uint height;
+        internal uint render;
+        internal uint samples;
+        internal uint geom_groups;
+        internal uint site_groups;
+        internal uint surface_groups;
+        internal uint tendon_groups;
+        internal IntPtr position;
+        internal IntPtr rotation;
+        internal double fovy;
+        internal double focal_x;
+        internal double focal_y;
+        internal double center_x;
+        internal double center_y;
+        internal IntPtr rgb;
+        internal UIntPtr rgb_bytes;
+        internal UIntPtr rgb_stride;
+        internal IntPtr depth;
+        internal UIntPtr depth_count;
+        internal UIntPtr depth_stride;
+        internal IntPtr segmentation;
+        internal UIntPtr segmentation_count;
+        internal UIntPtr segmentation_stride;
+
+        internal const uint Bytes = 168;
+
+        internal static StageViewStruct New()
+        {
+            StageViewStruct made;
+            MimoException.Check(Native.mimo_stage_view_init(out made, (UIntPtr)Bytes));
+            return made;
+        }
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     internal partial struct RecorderConfigStruct
     {
         internal uint struct_size;

@@ -113,6 +113,52 @@ internal static partial class Tests
         { typeof(TimingStruct), "72: " +
             "struct_size 0 4, reserved 4 4, steps 8 8, total 16 8, physics 24 8, touch 32 8, vision 40 8, " +
             "proprioception 48 8, vestibular 56 8, hearing 64 8" },
+        { typeof(StageShapesStruct), "64: " +
+            "struct_size 0 4, object_type 4 4, count 8 8, forms 16 8, sizes 24 8, colors 32 8, materials 40 8, groups " +
+            "48 8, data 56 8" },
+        { typeof(StageMeshesStruct), "128: " +
+            "struct_size 0 4, reserved 4 4, count 8 8, vertex_counts 16 8, normal_counts 24 8, texcoord_counts 32 8, " +
+            "triangle_counts 40 8, vertices 48 8, vertex_total 56 8, normals 64 8, normal_total 72 8, texcoords 80 8, " +
+            "texcoord_total 88 8, triangles 96 8, normal_triangles 104 8, texcoord_triangles 112 8, triangle_total " +
+            "120 8" },
+        { typeof(StageFieldsStruct), "56: " +
+            "struct_size 0 4, reserved 4 4, count 8 8, rows 16 8, columns 24 8, sizes 32 8, heights 40 8, " +
+            "height_total 48 8" },
+        { typeof(StageTexturesStruct), "64: " +
+            "struct_size 0 4, reserved 4 4, count 8 8, types 16 8, widths 24 8, heights 32 8, channels 40 8, pixels " +
+            "48 8, pixel_bytes 56 8" },
+        { typeof(StageMaterialsStruct), "80: " +
+            "struct_size 0 4, reserved 4 4, count 8 8, colors 16 8, emission 24 8, specular 32 8, shininess 40 8, " +
+            "reflectance 48 8, textures 56 8, repeats 64 8, uniform 72 8" },
+        { typeof(StageSurfacesStruct), "160: " +
+            "struct_size 0 4, reserved 4 4, count 8 8, vertex_counts 16 8, element_counts 24 8, corners 32 8, " +
+            "texcoord_counts 40 8, vertices 48 8, vertex_total 56 8, elements 64 8, texcoord_elements 72 8, " +
+            "element_length 80 8, texcoords 88 8, texcoord_total 96 8, radii 104 8, sheets 112 8, flat 120 8, colors " +
+            "128 8, materials 136 8, groups 144 8, objects 152 8" },
+        { typeof(StageTendonsStruct), "48: " +
+            "struct_size 0 4, object_type 4 4, count 8 8, widths 16 8, colors 24 8, materials 32 8, groups 40 8" },
+        { typeof(StageLightsStruct), "88: " +
+            "struct_size 0 4, reserved 4 4, count 8 8, types 16 8, active 24 8, casts_shadow 32 8, ambient 40 8, " +
+            "diffuse 48 8, specular 56 8, attenuation 64 8, cutoff 72 8, exponent 80 8" },
+        { typeof(StageAirStruct), "112: " +
+            "struct_size 0 4, headlight 4 4, near_plane 8 8, far_plane 16 8, fog_start 24 8, fog_end 32 8, haze 40 8, " +
+            "fog_color 48 12, haze_color 60 12, ambient 72 12, diffuse 84 12, specular 96 12, reserved 108 4" },
+        { typeof(StageConfigStruct), "104: " +
+            "struct_size 0 4, threads 4 4, geoms 8 8, sites 16 8, meshes 24 8, fields 32 8, textures 40 8, materials " +
+            "48 8, surfaces 56 8, tendons 64 8, lights 72 8, air 80 8, log 88 8, log_user 96 8" },
+        { typeof(StagePosesStruct), "224: " +
+            "struct_size 0 4, reserved 4 4, geom_count 8 8, geom_positions 16 8, geom_rotations 24 8, " +
+            "geom_quaternions 32 8, site_count 40 8, site_positions 48 8, site_rotations 56 8, site_quaternions 64 8, " +
+            "light_count 72 8, light_positions 80 8, light_directions 88 8, vertex_count 96 8, vertices 104 8, " +
+            "tendon_count 112 8, tendon_first 120 8, tendon_points 128 8, path_points 136 8, path_objects 144 8, " +
+            "path_count 152 8, extra_count 160 8, extra_forms 168 8, extra_sizes 176 8, extra_positions 184 8, " +
+            "extra_rotations 192 8, extra_colors 200 8, extra_materials 208 8, extra_objects 216 8" },
+        { typeof(StageViewStruct), "168: " +
+            "struct_size 0 4, pose 4 4, width 8 4, height 12 4, render 16 4, samples 20 4, geom_groups 24 4, " +
+            "site_groups 28 4, surface_groups 32 4, tendon_groups 36 4, position 40 8, rotation 48 8, fovy 56 8, " +
+            "focal_x 64 8, focal_y 72 8, center_x 80 8, center_y 88 8, rgb 96 8, rgb_bytes 104 8, rgb_stride 112 8, " +
+            "depth 120 8, depth_count 128 8, depth_stride 136 8, segmentation 144 8, segmentation_count 152 8, " +
+            "segmentation_stride 160 8" },
         { typeof(RecorderConfigStruct), "64: " +
             "struct_size 0 4, compression 4 4, keep 8 8, state_seconds 16 8, flush_seconds 24 8, configuration 32 8, " +
             "seed 40 8, hdf5 48 8, replace 56 4, reserved 60 4" },

@@ -90,7 +90,7 @@ typedef struct mimo_stage_fields {
   size_t height_total;    /**< How many there are. */
 } mimo_stage_fields;
 
-/** Textures. The first one of type MIMO_TEXTURE_SKY is the sky, which is no matter for materials. */
+/** Textures. The first one of type MIMO_TEXTURE_SKY is the sky. */
 typedef struct mimo_stage_textures {
   uint32_t struct_size;    /**< sizeof(mimo_stage_textures), set by the caller. */
   uint32_t reserved;       /**< 0. */
@@ -215,7 +215,7 @@ typedef struct mimo_stage_config {
   uint32_t struct_size;                  /**< sizeof(mimo_stage_config), set by the caller. */
   uint32_t threads;                      /**< That draw, the caller's among them, 1 to 256; 0: 1. */
   const mimo_stage_shapes *geoms;        /**< Shapes. */
-  const mimo_stage_shapes *sites;        /**< Further shapes; they are never textured by a mesh. */
+  const mimo_stage_shapes *sites;        /**< Further shapes, that poses move apart. */
   const mimo_stage_meshes *meshes;       /**< Meshes. */
   const mimo_stage_fields *fields;       /**< Height fields. */
   const mimo_stage_textures *textures;   /**< Textures. */
@@ -256,36 +256,36 @@ MIMO_API mimo_status mimo_stage_update(mimo_stage *stage, const mimo_stage_confi
  * has none of it, or where none of it is to be drawn: a stage with sites need not be given their places.
  */
 typedef struct mimo_stage_poses {
-  uint32_t struct_size;            /**< sizeof(mimo_stage_poses), set by the caller. */
-  uint32_t reserved;               /**< 0. */
-  size_t geom_count;               /**< As of the stage, or 0. */
-  const double *geom_positions;    /**< geom_count x 3, m. */
-  const double *geom_rotations;    /**< geom_count x 9, from the shape's frame to the world's; or NULL, and: */
-  const double *geom_quaternions;  /**< geom_count x 4: w x y z of length 1. */
-  size_t site_count;               /**< As of the stage, or 0. */
-  const double *site_positions;    /**< As of geoms. */
-  const double *site_rotations;    /**< As of geoms. */
-  const double *site_quaternions;  /**< As of geoms. */
-  size_t light_count;              /**< As of the stage, or 0. */
-  const double *light_positions;   /**< light_count x 3, m. */
-  const double *light_directions;  /**< light_count x 3: where they shine to, of length 1. */
-  size_t vertex_count;             /**< As of the stage's surfaces, or 0. */
-  const double *vertices;          /**< vertex_count x 3, m: of all surfaces, one after the other. */
-  size_t tendon_count;             /**< As of the stage, or 0. */
-  const int32_t *tendon_first;     /**< tendon_count: the first point of each path. */
-  const int32_t *tendon_points;    /**< tendon_count: how many points it has; 0 for none. */
-  const double *path_points;       /**< path_count x 3, m. */
-  const int32_t *path_objects;     /**< path_count: -2: a pulley, where the path is interrupted; two points side by side
-                                        with 0 or more: it wraps around something between them. NULL: all -1. */
-  size_t path_count;               /**< Points of all paths. */
-  size_t extra_count;              /**< Shapes of this picture alone: contacts, arrows, a marker. */
-  const int32_t *extra_forms;      /**< extra_count: MIMO_FORM_ constants but field, mesh and distance. */
-  const double *extra_sizes;       /**< extra_count x 3, m. */
-  const double *extra_positions;   /**< extra_count x 3, m. */
-  const double *extra_rotations;   /**< extra_count x 9. */
-  const float *extra_colors;       /**< extra_count x 4, as of shapes. */
-  const int32_t *extra_materials;  /**< extra_count: a material or -1; NULL: none. */
-  const int32_t *extra_objects;    /**< extra_count x 2: what segmentation gives, id and type; NULL: -1 -1. */
+  uint32_t struct_size;           /**< sizeof(mimo_stage_poses), set by the caller. */
+  uint32_t reserved;              /**< 0. */
+  size_t geom_count;              /**< As of the stage, or 0. */
+  const double *geom_positions;   /**< geom_count x 3, m. */
+  const double *geom_rotations;   /**< geom_count x 9, from the shape's frame to the world's; or NULL, and: */
+  const double *geom_quaternions; /**< geom_count x 4: w x y z of length 1. */
+  size_t site_count;              /**< As of the stage, or 0. */
+  const double *site_positions;   /**< As of geoms. */
+  const double *site_rotations;   /**< As of geoms. */
+  const double *site_quaternions; /**< As of geoms. */
+  size_t light_count;             /**< As of the stage, or 0. */
+  const double *light_positions;  /**< light_count x 3, m. */
+  const double *light_directions; /**< light_count x 3: where they shine to, of length 1. */
+  size_t vertex_count;            /**< As of the stage's surfaces, or 0. */
+  const double *vertices;         /**< vertex_count x 3, m: of all surfaces, one after the other. */
+  size_t tendon_count;            /**< As of the stage, or 0. */
+  const int32_t *tendon_first;    /**< tendon_count: the first point of each path. */
+  const int32_t *tendon_points;   /**< tendon_count: how many points it has; 0 for none. */
+  const double *path_points;      /**< path_count x 3, m. */
+  const int32_t *path_objects;    /**< path_count: -2: a pulley, where the path is interrupted; two points side by side
+                                       with 0 or more: it wraps around something between them. NULL: all -1. */
+  size_t path_count;              /**< Points of all paths. */
+  size_t extra_count;             /**< Shapes of this picture alone: contacts, arrows, a marker. */
+  const int32_t *extra_forms;     /**< extra_count: MIMO_FORM_ constants but field, mesh and distance. */
+  const double *extra_sizes;      /**< extra_count x 3, m. */
+  const double *extra_positions;  /**< extra_count x 3, m. */
+  const double *extra_rotations;  /**< extra_count x 9. */
+  const float *extra_colors;      /**< extra_count x 4, as of shapes. */
+  const int32_t *extra_materials; /**< extra_count: a material or -1; NULL: none. */
+  const int32_t *extra_objects;   /**< extra_count x 2: what segmentation gives, id and type; NULL: -1 -1. */
 } mimo_stage_poses;
 
 /**
@@ -307,8 +307,10 @@ typedef struct mimo_stage_view {
   const double *position;     /**< 3: where the camera is, m. */
   const double *rotation;     /**< 9: from the camera's frame (x right, y up, z backward) to the world's. */
   double fovy;                /**< Vertical field of view, degrees, > 0 and < 180. Default 45. */
-  double focal[2];            /**< Focal lengths along x and y, pixels, > 0; 0 (default): fovy counts. */
-  double center[2];           /**< With focal: the principal point, pixels from the left and the upper edge. */
+  double focal_x;             /**< Focal length along x, pixels, > 0; 0 (default): fovy counts. */
+  double focal_y;             /**< Likewise along y. */
+  double center_x;            /**< With focal lengths: the principal point, pixels from the left edge. */
+  double center_y;            /**< Likewise from the upper edge. */
   uint8_t *rgb;               /**< height x width x 3: red, green, blue. */
   size_t rgb_bytes;           /**< Length of rgb. */
   size_t rgb_stride;          /**< Bytes. */

@@ -673,6 +673,268 @@ class Timing(Struct):
     ]
 
 
+class StageShapes(Struct):
+    """mimo_stage_shapes."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("object_type", c_int32),
+        ("count", c_size_t),
+        ("forms", c_void_p),
+        ("sizes", c_void_p),
+        ("colors", c_void_p),
+        ("materials", c_void_p),
+        ("groups", c_void_p),
+        ("data", c_void_p),
+    ]
+
+
+class StageMeshes(Struct):
+    """mimo_stage_meshes."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_size_t),
+        ("vertex_counts", c_void_p),
+        ("normal_counts", c_void_p),
+        ("texcoord_counts", c_void_p),
+        ("triangle_counts", c_void_p),
+        ("vertices", c_void_p),
+        ("vertex_total", c_size_t),
+        ("normals", c_void_p),
+        ("normal_total", c_size_t),
+        ("texcoords", c_void_p),
+        ("texcoord_total", c_size_t),
+        ("triangles", c_void_p),
+        ("normal_triangles", c_void_p),
+        ("texcoord_triangles", c_void_p),
+        ("triangle_total", c_size_t),
+    ]
+
+
+class StageFields(Struct):
+    """mimo_stage_fields."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_size_t),
+        ("rows", c_void_p),
+        ("columns", c_void_p),
+        ("sizes", c_void_p),
+        ("heights", c_void_p),
+        ("height_total", c_size_t),
+    ]
+
+
+class StageTextures(Struct):
+    """mimo_stage_textures."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_size_t),
+        ("types", c_void_p),
+        ("widths", c_void_p),
+        ("heights", c_void_p),
+        ("channels", c_void_p),
+        ("pixels", c_void_p),
+        ("pixel_bytes", c_size_t),
+    ]
+
+
+class StageMaterials(Struct):
+    """mimo_stage_materials."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_size_t),
+        ("colors", c_void_p),
+        ("emission", c_void_p),
+        ("specular", c_void_p),
+        ("shininess", c_void_p),
+        ("reflectance", c_void_p),
+        ("textures", c_void_p),
+        ("repeats", c_void_p),
+        ("uniform", c_void_p),
+    ]
+
+
+class StageSurfaces(Struct):
+    """mimo_stage_surfaces."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_size_t),
+        ("vertex_counts", c_void_p),
+        ("element_counts", c_void_p),
+        ("corners", c_void_p),
+        ("texcoord_counts", c_void_p),
+        ("vertices", c_void_p),
+        ("vertex_total", c_size_t),
+        ("elements", c_void_p),
+        ("texcoord_elements", c_void_p),
+        ("element_length", c_size_t),
+        ("texcoords", c_void_p),
+        ("texcoord_total", c_size_t),
+        ("radii", c_void_p),
+        ("sheets", c_void_p),
+        ("flat", c_void_p),
+        ("colors", c_void_p),
+        ("materials", c_void_p),
+        ("groups", c_void_p),
+        ("objects", c_void_p),
+    ]
+
+
+class StageTendons(Struct):
+    """mimo_stage_tendons."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("object_type", c_int32),
+        ("count", c_size_t),
+        ("widths", c_void_p),
+        ("colors", c_void_p),
+        ("materials", c_void_p),
+        ("groups", c_void_p),
+    ]
+
+
+class StageLights(Struct):
+    """mimo_stage_lights."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("count", c_size_t),
+        ("types", c_void_p),
+        ("active", c_void_p),
+        ("casts_shadow", c_void_p),
+        ("ambient", c_void_p),
+        ("diffuse", c_void_p),
+        ("specular", c_void_p),
+        ("attenuation", c_void_p),
+        ("cutoff", c_void_p),
+        ("exponent", c_void_p),
+    ]
+
+
+class StageAir(Struct):
+    """mimo_stage_air."""
+
+    init = "mimo_stage_air_init"
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("headlight", c_uint32),
+        ("near_plane", c_double),
+        ("far_plane", c_double),
+        ("fog_start", c_double),
+        ("fog_end", c_double),
+        ("haze", c_double),
+        ("fog_color", c_float * 3),
+        ("haze_color", c_float * 3),
+        ("ambient", c_float * 3),
+        ("diffuse", c_float * 3),
+        ("specular", c_float * 3),
+        ("reserved", c_uint32),
+    ]
+
+
+class StageConfig(Struct):
+    """mimo_stage_config."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("threads", c_uint32),
+        ("geoms", POINTER(StageShapes)),
+        ("sites", POINTER(StageShapes)),
+        ("meshes", POINTER(StageMeshes)),
+        ("fields", POINTER(StageFields)),
+        ("textures", POINTER(StageTextures)),
+        ("materials", POINTER(StageMaterials)),
+        ("surfaces", POINTER(StageSurfaces)),
+        ("tendons", POINTER(StageTendons)),
+        ("lights", POINTER(StageLights)),
+        ("air", POINTER(StageAir)),
+        ("log", LogFn),
+        ("log_user", c_void_p),
+    ]
+
+
+class StagePoses(Struct):
+    """mimo_stage_poses."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("geom_count", c_size_t),
+        ("geom_positions", c_void_p),
+        ("geom_rotations", c_void_p),
+        ("geom_quaternions", c_void_p),
+        ("site_count", c_size_t),
+        ("site_positions", c_void_p),
+        ("site_rotations", c_void_p),
+        ("site_quaternions", c_void_p),
+        ("light_count", c_size_t),
+        ("light_positions", c_void_p),
+        ("light_directions", c_void_p),
+        ("vertex_count", c_size_t),
+        ("vertices", c_void_p),
+        ("tendon_count", c_size_t),
+        ("tendon_first", c_void_p),
+        ("tendon_points", c_void_p),
+        ("path_points", c_void_p),
+        ("path_objects", c_void_p),
+        ("path_count", c_size_t),
+        ("extra_count", c_size_t),
+        ("extra_forms", c_void_p),
+        ("extra_sizes", c_void_p),
+        ("extra_positions", c_void_p),
+        ("extra_rotations", c_void_p),
+        ("extra_colors", c_void_p),
+        ("extra_materials", c_void_p),
+        ("extra_objects", c_void_p),
+    ]
+
+
+class StageView(Struct):
+    """mimo_stage_view."""
+
+    init = "mimo_stage_view_init"
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("pose", c_uint32),
+        ("width", c_uint32),
+        ("height", c_uint32),
+        ("render", c_uint32),
+        ("samples", c_uint32),
+        ("geom_groups", c_uint32),
+        ("site_groups", c_uint32),
+        ("surface_groups", c_uint32),
+        ("tendon_groups", c_uint32),
+        ("position", c_void_p),
+        ("rotation", c_void_p),
+        ("fovy", c_double),
+        ("focal_x", c_double),
+        ("focal_y", c_double),
+        ("center_x", c_double),
+        ("center_y", c_double),
+        ("rgb", c_void_p),
+        ("rgb_bytes", c_size_t),
+        ("rgb_stride", c_size_t),
+        ("depth", c_void_p),
+        ("depth_count", c_size_t),
+        ("depth_stride", c_size_t),
+        ("segmentation", c_void_p),
+        ("segmentation_count", c_size_t),
+        ("segmentation_stride", c_size_t),
+    ]
+
+
 class RecorderConfig(Struct):
     """mimo_recorder_config."""
 
@@ -971,6 +1233,15 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_env_light": (c_int32, [c_void_p, c_int32, POINTER(Light)]),
     "mimo_env_timing": (c_int32, [c_void_p, POINTER(Timing)]),
     "mimo_env_timing_reset": (c_int32, [c_void_p]),
+    "mimo_stage_air_init": (c_int32, [POINTER(StageAir), c_size_t]),
+    "mimo_stage_create": (c_int32, [POINTER(StageConfig), POINTER(c_void_p)]),
+    "mimo_stage_destroy": (None, [c_void_p]),
+    "mimo_stage_update": (c_int32, [c_void_p, POINTER(StageConfig)]),
+    "mimo_stage_view_init": (c_int32, [POINTER(StageView), c_size_t]),
+    "mimo_stage_draw": (
+        c_int32,
+        [c_void_p, POINTER(POINTER(StagePoses)), c_size_t, POINTER(POINTER(StageView)), c_size_t],
+    ),
     "mimo_recorder_config_init": (c_int32, [POINTER(RecorderConfig), c_size_t]),
     "mimo_recorder_open": (c_int32, [c_void_p, c_char_p, POINTER(RecorderConfig), POINTER(c_void_p)]),
     "mimo_recorder_flush": (c_int32, [c_void_p]),

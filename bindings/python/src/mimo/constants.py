@@ -13,11 +13,13 @@ __all__ = [
     "Axes",
     "Disable",
     "FieldType",
+    "Form",
     "GrowthModel",
     "HEADLIGHT",
     "Hearing",
     "Jacobian",
     "Kind",
+    "Lamp",
     "LogLevel",
     "Look",
     "Mature",
@@ -864,6 +866,50 @@ class TextureType(IntEnum):
 
     SKY = 2
     """A cube around the scene: right, left, up, down, front, back from inside. Experimental."""
+
+
+class Form(IntEnum):
+    """Forms of shapes on a stage, and what their size is."""
+
+    PLANE = 0
+    """z = 0, seen from above: half sides along x and y, 0 for an endless one; unused. Experimental."""
+
+    FIELD = 1
+    """A height field, which has its own size. Experimental."""
+
+    SPHERE = 2
+    """Radius. Experimental."""
+
+    CAPSULE = 3
+    """Along z: radius, half length of the straight part. Experimental."""
+
+    ELLIPSOID = 4
+    """Three radii. Experimental."""
+
+    CYLINDER = 5
+    """Along z: radius, half length. Experimental."""
+
+    BOX = 6
+    """Three half sides. Experimental."""
+
+    MESH = 7
+    """A mesh, which has its own size. Experimental."""
+
+    DISTANCE = 8
+    """A signed distance field, drawn as its mesh. Experimental."""
+
+
+class Lamp(IntEnum):
+    """Types of lights on a stage."""
+
+    SPOT = 0
+    """A cone from a position. Experimental."""
+
+    SUN = 1
+    """Parallel light along a direction. Experimental."""
+
+    POINT = 2
+    """From a position in all directions. Experimental."""
 
 
 class Look(IntEnum):

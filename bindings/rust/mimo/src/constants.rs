@@ -751,6 +751,64 @@ values! {
 }
 
 values! {
+    /// Forms of shapes on a stage, and what their size is.
+    Form: i32
+    /// z = 0, seen from above: half sides along x and y, 0 for an endless one; unused.
+    ///
+    /// Experimental.
+    PLANE = MIMO_FORM_PLANE,
+    /// A height field, which has its own size.
+    ///
+    /// Experimental.
+    FIELD = MIMO_FORM_FIELD,
+    /// Radius.
+    ///
+    /// Experimental.
+    SPHERE = MIMO_FORM_SPHERE,
+    /// Along z: radius, half length of the straight part.
+    ///
+    /// Experimental.
+    CAPSULE = MIMO_FORM_CAPSULE,
+    /// Three radii.
+    ///
+    /// Experimental.
+    ELLIPSOID = MIMO_FORM_ELLIPSOID,
+    /// Along z: radius, half length.
+    ///
+    /// Experimental.
+    CYLINDER = MIMO_FORM_CYLINDER,
+    /// Three half sides.
+    ///
+    /// Experimental.
+    BOX = MIMO_FORM_BOX,
+    /// A mesh, which has its own size.
+    ///
+    /// Experimental.
+    MESH = MIMO_FORM_MESH,
+    /// A signed distance field, drawn as its mesh.
+    ///
+    /// Experimental.
+    DISTANCE = MIMO_FORM_DISTANCE,
+}
+
+values! {
+    /// Types of lights on a stage.
+    Lamp: i32
+    /// A cone from a position.
+    ///
+    /// Experimental.
+    SPOT = MIMO_LAMP_SPOT,
+    /// Parallel light along a direction.
+    ///
+    /// Experimental.
+    SUN = MIMO_LAMP_SUN,
+    /// From a position in all directions.
+    ///
+    /// Experimental.
+    POINT = MIMO_LAMP_POINT,
+}
+
+values! {
     /// What turns to look at a point.
     Look: i32
     /// Only the eyes turn. They reach 45 degrees to the sides, 33 up and 47 down.
