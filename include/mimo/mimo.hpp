@@ -31,6 +31,7 @@
 #include "hpp/scene.hpp"
 #include "hpp/sense.hpp"
 #include "hpp/senses.hpp"
+#include "hpp/stage.hpp"
 #include "hpp/task.hpp"
 
 /// libmimo for C++, see mimo.hpp.

@@ -23,6 +23,7 @@ from targets._csharp_words import (
 CONFIGS = [
     *("mimo_scene_config", "mimo_object_config", "mimo_camera_config", "mimo_agent_config", "mimo_growth"),
     *("mimo_maturity", "mimo_env_config", "mimo_picture_config", "mimo_recorder_config", "mimo_senses_config"),
+    *("mimo_stage_air", "mimo_stage_view"),
 ]
 
 RECORDS = [
@@ -36,6 +37,11 @@ HIDDEN = {
     "mimo_senses_config": {"mujoco_version"},
     "mimo_picture_config": {"format"},
     "mimo_light": {"axes"},
+    "mimo_stage_air": {"fog_color", "haze_color", "ambient", "diffuse", "specular"},
+    "mimo_stage_view": {
+        *("position", "rotation", "rgb", "rgb_bytes", "rgb_stride", "depth", "depth_count", "depth_stride"),
+        *("segmentation", "segmentation_count", "segmentation_stride"),
+    },
 }
 
 # Numbers of records are those that C# counts with.

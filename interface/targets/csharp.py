@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from targets._csharp_classes import configs, records
+from targets._csharp_stage import parts
 from targets._csharp_words import (
     ADDED,
     HEAD,
@@ -32,6 +33,8 @@ PARAMETERS = {
     ("mimo_batch_send", "actions"): "IntPtr",  # used after the call
     ("mimo_batch_send", "blocks"): "IntPtr",  # used after the call
     ("mimo_recording_read", "values"): "IntPtr",  # of any type
+    ("mimo_stage_draw", "poses"): "IntPtr[]",
+    ("mimo_stage_draw", "views"): "IntPtr[]",
     ("mimo_scene_direct_source", "place"): "ref Vector3d",
     ("mimo_scene_direct_source", "axis"): "ref Vector3d",
     ("mimo_env_look_angles", "point"): "ref Vector3d",
@@ -264,5 +267,6 @@ def files(api):
         f"{SOURCES}/Native.cs": natives(api),
         f"{SOURCES}/Configs.cs": configs(words),
         f"{SOURCES}/Records.cs": records(words),
+        f"{SOURCES}/StageParts.cs": parts(words),
         f"{TESTS}/Layouts.cs": layouts(api),
     }

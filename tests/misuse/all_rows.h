@@ -8,3 +8,4 @@
 #include "misuse/rows_scene.h"
 #include "misuse/rows_sense.h"
 #include "misuse/rows_senses.h"
+#include "misuse/rows_stage.h"

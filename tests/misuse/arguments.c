@@ -159,6 +159,7 @@ static void check_handles(const row* r) {
   if (r->uses & ON_SENSES) bad_handles(r, offsetof(args, senses), retired_senses(), a.env, retired_scene());
   if (r->uses & ON_RECORDER) bad_handles(r, offsetof(args, recorder), retired_recorder(), a.env, a.batch);
   if (r->uses & ON_RECORDING) bad_handles(r, offsetof(args, recording), retired_recording(), a.env, a.batch);
+  if (r->uses & ON_STAGE) bad_handles(r, offsetof(args, stage), retired_stage(), a.env, a.batch);
   if (r->uses & ON_LAYOUT) bad_handles(r, offsetof(args, layout), retired_layout(), a.env, a.batch);
 }
 

@@ -138,6 +138,24 @@ static mimo_status check_destroy_recording(args* a) {
                  mimo_recording_size(a->recording, "time", &count, NULL) == MIMO_OK);
 }
 
+static mimo_status check_destroy_stage(args* a) {
+  char before[512];
+  const mimo_stage_view* none = NULL;
+  snprintf(before, sizeof before, "%s", mimo_last_error());
+  mimo_stage_destroy(NULL);
+  mimo_stage_destroy(retired_stage());
+  mimo_stage_destroy((mimo_stage*)a->env);
+  mimo_stage_destroy(no_handle());
+  return CHECKED(strcmp(before, mimo_last_error()) == 0 &&
+                 mimo_stage_draw(a->stage, (const mimo_stage_poses* const*)&a->stage_poses, 1, &none, 0) == MIMO_OK);
+}
+
+static mimo_status draw_stage(args* a) {
+  const mimo_stage_poses* poses = a->stage_poses;
+  const mimo_stage_view* view = a->stage_view;
+  return mimo_stage_draw(a->stage, &poses, a->stage_pose_count, &view, 1);
+}
+
 static mimo_status seek_and_step(args* a) {
   const mimo_status status = mimo_recording_seek(a->recording, a->env, 0, 0, NULL);
   return status != MIMO_OK ? status

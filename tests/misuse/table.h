@@ -15,6 +15,7 @@ typedef struct args {
   mimo_senses* senses;
   mimo_recorder* recorder;
   mimo_recording* recording; /* of the environment */
+  mimo_stage* stage;         /* with one geom */
   const mimo_layout* layout;
   /* structs, each in memory with room for a later version's tail */
   mimo_scene_config* scene_config;
@@ -53,6 +54,12 @@ typedef struct args {
   mimo_maturity* maturity;
   mimo_senses_config* senses_config;
   mimo_load_report* report;
+  mimo_stage_config* stage_config; /* of the two below */
+  mimo_stage_shapes* shapes;
+  mimo_stage_air* air;
+  mimo_stage_poses* stage_poses;
+  mimo_stage_view* stage_view;
+  size_t stage_pose_count;
   mimo_recorder_config* recorder_config;
   mimo_recording_info* recording_info;
   mimo_replay_report* replay_report;
@@ -81,7 +88,7 @@ typedef struct args {
   mimo_status* statuses;
   float *depth, *directions, *poses, *positions;
   uint32_t* corners;
-  int32_t *outcome, *segmentation, *look_joints;
+  int32_t *outcome, *segmentation, *stage_objects, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, rgb_bytes, depth_count, segmentation_count;
   size_t receptor_count, look_capacity, number_count, term_count, delay_count, direction_count, picture_index,
       pose_count, texture_bytes, row_index, row_count, rows_bytes;
@@ -100,6 +107,7 @@ typedef struct args {
   mimo_senses** made_senses;
   mimo_recorder** made_recorder;
   mimo_recording** made_recording;
+  mimo_stage** made_stage;
   /* which its owner keeps */
   const mimo_layout** layout_out;
 } args;
@@ -148,7 +156,8 @@ enum {
   ON_EMPTY = 1024, /* a room that is none */
   ON_LAYOUT = 2048,
   ON_RECORDER = 4096,
-  ON_RECORDING = 8192
+  ON_RECORDING = 8192,
+  ON_STAGE = 16384
 };
 
 typedef struct row {

@@ -4,7 +4,7 @@
 #include "support/folder.h"
 #include "support/mujoco.h"
 
-enum { TAIL = 64, MOST_REGIONS = 96, MOST_BYTES = 1 << 21, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
+enum { TAIL = 64, MOST_REGIONS = 104, MOST_BYTES = 1 << 21, LOOK_JOINTS = 8, MESH_ROOM = 1000 };
 
 static struct {
   unsigned char *bytes, *kept;
@@ -19,6 +19,7 @@ static mimo_batch* dead_batch;
 static mimo_senses* dead_senses;
 static mimo_recorder* dead_recorder;
 static mimo_recording* dead_recording;
+static mimo_stage* dead_stage;
 static mimo_env* recorded; /* by the recorder */
 static const mimo_layout* dead_layout;
 static mjModel* host_model;
@@ -301,6 +302,56 @@ static void make_recordings(void) {
   good.replay_report = region(sizeof *good.replay_report + TAIL);
 }
 
+/* A stage with one ball. */
+static void fill_stage(void) {
+  static const int32_t ball = MIMO_FORM_SPHERE;
+  static const double size[3] = {0.1, 0, 0}, place[3] = {0, 0, -1}, turn[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  static const double eye[3] = {0, 0, 0};
+  static const float color[4] = {1, 0, 0, 1};
+  memset(good.shapes, 0, sizeof *good.shapes);
+  good.shapes->struct_size = sizeof *good.shapes;
+  good.shapes->count = 1;
+  good.shapes->forms = &ball;
+  good.shapes->sizes = size;
+  good.shapes->colors = color;
+  CHECK_OK(mimo_stage_air_init(good.air, sizeof *good.air));
+  memset(good.stage_config, 0, sizeof *good.stage_config);
+  good.stage_config->struct_size = sizeof *good.stage_config;
+  good.stage_config->geoms = good.shapes;
+  good.stage_config->air = good.air;
+  memset(good.stage_poses, 0, sizeof *good.stage_poses);
+  good.stage_poses->struct_size = sizeof *good.stage_poses;
+  good.stage_poses->geom_count = 1;
+  good.stage_poses->geom_positions = place;
+  good.stage_poses->geom_rotations = turn;
+  good.stage_pose_count = 1;
+  CHECK_OK(mimo_stage_view_init(good.stage_view, sizeof *good.stage_view));
+  good.stage_view->width = good.stage_view->height = PICTURE_SIZE;
+  good.stage_view->position = eye;
+  good.stage_view->rotation = turn;
+  good.stage_view->rgb = good.rgb;
+  good.stage_view->rgb_bytes = 3 * PICTURE_SIZE * PICTURE_SIZE;
+  good.stage_view->depth = good.depth;
+  good.stage_view->depth_count = PICTURE_SIZE * PICTURE_SIZE;
+  good.stage_view->segmentation = good.stage_objects;
+  good.stage_view->segmentation_count = 2 * PICTURE_SIZE * PICTURE_SIZE;
+  *good.made_stage = NULL;
+}
+
+static void make_stage(void) {
+  good.made_stage = region(sizeof(mimo_stage*));
+  good.shapes = region(sizeof *good.shapes + TAIL);
+  good.air = region(sizeof *good.air + TAIL);
+  good.stage_config = region(sizeof *good.stage_config + TAIL);
+  good.stage_poses = region(sizeof *good.stage_poses + TAIL);
+  good.stage_view = region(sizeof *good.stage_view + TAIL);
+  good.stage_objects = region(2 * PICTURE_SIZE * PICTURE_SIZE * sizeof *good.stage_objects);
+  fill_stage();
+  CHECK_OK(mimo_stage_create(good.stage_config, &good.stage));
+  CHECK_OK(mimo_stage_create(good.stage_config, &dead_stage));
+  mimo_stage_destroy(dead_stage);
+}
+
 static void make_structs(void) {
   good.scene_config = region(sizeof *good.scene_config + TAIL);
   good.agent_config = region(sizeof *good.agent_config + TAIL);
@@ -358,6 +409,7 @@ void make_everything(void) {
   make_structs();
   make_movement();
   make_recordings();
+  make_stage();
   CHECK(good.state_bytes <= sizeof first_state);
   CHECK_OK(mimo_env_state_save(good.env, first_state, sizeof first_state));
   CHECK_OK(mimo_senses_state_save(good.senses, first_memory, sizeof first_memory));
@@ -377,6 +429,7 @@ void destroy_everything(void) {
   mimo_senses_destroy(good.senses);
   CHECK_OK(mimo_recorder_close(good.recorder));
   mimo_recording_close(good.recording);
+  mimo_stage_destroy(good.stage);
   mimo_env_destroy(recorded);
   mj_deleteData(host_data);
   mj_deleteModel(host_model);
@@ -570,6 +623,7 @@ args good_args(int uses) {
   fill_geometry();
   fill_arrays();
   fill_states();
+  fill_stage();
   *good.made_scene = NULL;
   *good.made_env = NULL;
   *good.made_batch = NULL;
@@ -630,13 +684,15 @@ int memory_changed(void) {
 
 int destroy_made(args* a) {
   int made = *good.made_scene != NULL || *good.made_env != NULL || *good.made_batch != NULL ||
-             *good.made_senses != NULL || *good.made_recorder != NULL || *good.made_recording != NULL;
+             *good.made_senses != NULL || *good.made_recorder != NULL || *good.made_recording != NULL ||
+             *good.made_stage != NULL;
   mimo_scene_destroy(*good.made_scene);
   mimo_env_destroy(*good.made_env);
   mimo_batch_destroy(*good.made_batch);
   mimo_senses_destroy(*good.made_senses);
   CHECK_OK(mimo_recorder_close(*good.made_recorder));
   mimo_recording_close(*good.made_recording);
+  mimo_stage_destroy(*good.made_stage);
   mimo_scene_destroy(a->room);
   if (a->scene != spare_scene) mimo_scene_destroy(a->scene);
   return made;
@@ -648,6 +704,7 @@ mimo_batch* retired_batch(void) { return dead_batch; }
 mimo_senses* retired_senses(void) { return dead_senses; }
 mimo_recorder* retired_recorder(void) { return dead_recorder; }
 mimo_recording* retired_recording(void) { return dead_recording; }
+mimo_stage* retired_stage(void) { return dead_stage; }
 mimo_layout* retired_layout(void) { return (mimo_layout*)dead_layout; }
 void* no_handle(void) { return not_a_handle; }
 const void* foreign_state(void) { return foreign; }

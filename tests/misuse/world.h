@@ -28,6 +28,7 @@ mimo_batch* retired_batch(void);
 mimo_senses* retired_senses(void);
 mimo_recorder* retired_recorder(void);
 mimo_recording* retired_recording(void);
+mimo_stage* retired_stage(void);
 mimo_layout* retired_layout(void);
 void* no_handle(void);
 

@@ -674,4 +674,111 @@ namespace Mimo
             return filled;
         }
     }
+
+    /// <summary>What a stage is in: how near and far its cameras see, haze and fog, and the light that every camera
+    /// carries.</summary>
+    public sealed partial class StageAir
+    {
+        private StageAirStruct raw;
+
+        /// <summary>The library's defaults.</summary>
+        public StageAir()
+        {
+            Library.Require();
+            raw = StageAirStruct.New();
+        }
+
+        internal StageAir(StageAirStruct raw) { this.raw = raw; }
+
+        /// <summary>1 (default): the camera carries a light.</summary>
+        public uint Headlight { get { return raw.headlight; } set { raw.headlight = value; } }
+
+        /// <summary>m, &gt; 0: nothing nearer is drawn. Default .01.</summary>
+        public double NearPlane { get { return raw.near_plane; } set { raw.near_plane = value; } }
+
+        /// <summary>m, &gt; NearPlane: nothing farther is drawn. Default 50.</summary>
+        public double FarPlane { get { return raw.far_plane; } set { raw.far_plane = value; } }
+
+        /// <summary>m: where fog begins. Default 3.</summary>
+        public double FogStart { get { return raw.fog_start; } set { raw.fog_start = value; } }
+
+        /// <summary>m: where nothing else is seen. Default 10.</summary>
+        public double FogEnd { get { return raw.fog_end; } set { raw.fog_end = value; } }
+
+        /// <summary>Height of the haze at the horizon, a share of the sky, 0 to 1. Default .3.</summary>
+        public double Haze { get { return raw.haze; } set { raw.haze = value; } }
+
+        /// <summary>The struct, valid as long as the parts.</summary>
+        internal StageAirStruct Raw(PinnedParts parts)
+        {
+            var filled = raw;
+            return filled;
+        }
+    }
+
+    /// <summary>A picture: from where, how, and into which buffers. A part whose buffer is null is not drawn.
+    /// Strides are the distance from one row to the next, at least a row; 0: a row.</summary>
+    public sealed partial class StageView
+    {
+        private StageViewStruct raw;
+
+        /// <summary>The library's defaults.</summary>
+        public StageView()
+        {
+            Library.Require();
+            raw = StageViewStruct.New();
+        }
+
+        internal StageView(StageViewStruct raw) { this.raw = raw; }
+
+        /// <summary>Which of the poses it shows. Default 0.</summary>
+        public uint Pose { get { return raw.pose; } set { raw.pose = value; } }
+
+        /// <summary>Pixels, 1 to 16384. Default 320.</summary>
+        public uint Width { get { return raw.width; } set { raw.width = value; } }
+
+        /// <summary>Pixels, 1 to 16384. Default 240.</summary>
+        public uint Height { get { return raw.height; } set { raw.height = value; } }
+
+        /// <summary>Render bits. Default: all but fog.</summary>
+        public Render Render { get { return (Render)raw.render; } set { raw.render = (uint)value; } }
+
+        /// <summary>Rays per pixel of colours: 1, 4, 16 or 64; 0 (default): 1. Depth and segmentation are those of the
+        /// middle of the pixel.</summary>
+        public uint Samples { get { return raw.samples; } set { raw.samples = value; } }
+
+        /// <summary>Bit n: geoms of group n are shown. Default 0x7: groups 0, 1 and 2.</summary>
+        public uint GeomGroups { get { return raw.geom_groups; } set { raw.geom_groups = value; } }
+
+        /// <summary>Likewise. Default 0x7.</summary>
+        public uint SiteGroups { get { return raw.site_groups; } set { raw.site_groups = value; } }
+
+        /// <summary>Likewise. Default 0x7.</summary>
+        public uint SurfaceGroups { get { return raw.surface_groups; } set { raw.surface_groups = value; } }
+
+        /// <summary>Likewise. Default 0x7.</summary>
+        public uint TendonGroups { get { return raw.tendon_groups; } set { raw.tendon_groups = value; } }
+
+        /// <summary>Vertical field of view, degrees, &gt; 0 and &lt; 180. Default 45.</summary>
+        public double Fovy { get { return raw.fovy; } set { raw.fovy = value; } }
+
+        /// <summary>Focal length along x, pixels, &gt; 0; 0 (default): fovy counts.</summary>
+        public double FocalX { get { return raw.focal_x; } set { raw.focal_x = value; } }
+
+        /// <summary>Likewise along y.</summary>
+        public double FocalY { get { return raw.focal_y; } set { raw.focal_y = value; } }
+
+        /// <summary>With focal lengths: the principal point, pixels from the left edge.</summary>
+        public double CenterX { get { return raw.center_x; } set { raw.center_x = value; } }
+
+        /// <summary>Likewise from the upper edge.</summary>
+        public double CenterY { get { return raw.center_y; } set { raw.center_y = value; } }
+
+        /// <summary>The struct, valid as long as the parts.</summary>
+        internal StageViewStruct Raw(PinnedParts parts)
+        {
+            var filled = raw;
+            return filled;
+        }
+    }
 }

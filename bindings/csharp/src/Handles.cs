@@ -115,6 +115,19 @@ namespace Mimo
         }
     }
 
+    /// <summary>Owns a mimo_stage and a share of its log.</summary>
+    internal sealed class StageHandle : LibraryHandle
+    {
+        internal Logging Log;
+
+        protected override bool ReleaseHandle()
+        {
+            Native.mimo_stage_destroy(handle);
+            Log?.Release();
+            return true;
+        }
+    }
+
     /// <summary>Owns a mimo_recorder.</summary>
     internal sealed class RecorderHandle : LibraryHandle, Ending.IEnds
     {

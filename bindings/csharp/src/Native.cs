@@ -935,9 +935,9 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_view_init"); }
         }
 
-        internal static int mimo_stage_draw(StageHandle stage, ref StagePosesStruct poses, UIntPtr pose_count, ref StageViewStruct views, UIntPtr view_count)
+        internal static int mimo_stage_draw(StageHandle stage, IntPtr[] poses, UIntPtr pose_count, IntPtr[] views, UIntPtr view_count)
         {
-            try { return Entry.mimo_stage_draw(stage, ref poses, pose_count, ref views, view_count); }
+            try { return Entry.mimo_stage_draw(stage, poses, pose_count, views, view_count); }
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_stage_draw"); }
         }
 
@@ -1237,7 +1237,7 @@ namespace Mimo
             [DllImport(File)] internal static extern void mimo_stage_destroy(IntPtr stage);
             [DllImport(File)] internal static extern int mimo_stage_update(StageHandle stage, ref StageConfigStruct config);
             [DllImport(File)] internal static extern int mimo_stage_view_init(out StageViewStruct view, UIntPtr size);
-            [DllImport(File)] internal static extern int mimo_stage_draw(StageHandle stage, ref StagePosesStruct poses, UIntPtr pose_count, ref StageViewStruct views, UIntPtr view_count);
+            [DllImport(File)] internal static extern int mimo_stage_draw(StageHandle stage, IntPtr[] poses, UIntPtr pose_count, IntPtr[] views, UIntPtr view_count);
             [DllImport(File)] internal static extern int mimo_recorder_config_init(out RecorderConfigStruct config, UIntPtr size);
             [DllImport(File)] internal static extern int mimo_recorder_open(EnvHandle env, byte[] path, ref RecorderConfigStruct config, out RecorderHandle recorder);
             [DllImport(File)] internal static extern int mimo_recorder_flush(RecorderHandle recorder);

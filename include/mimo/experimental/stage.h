@@ -100,7 +100,7 @@ typedef struct mimo_stage_textures {
   const int32_t *heights;  /**< count: pixels, at least 1; of a cube or sky the width (one picture for all six sides) or
                                 six times the width (right, left, up, down, front, back). */
   const int32_t *channels; /**< count: bytes of a pixel: 1 or 2 (grey first), 3 or 4 (red, green, blue). NULL: 3. */
-  const uint8_t *pixels;   /**< Row after row, one texture after the other. */
+  const uint8_t *pixels;   /**< pixel_bytes: row after row, one texture after the other. */
   size_t pixel_bytes;      /**< Length of pixels. */
 } mimo_stage_textures;
 
@@ -263,9 +263,9 @@ typedef struct mimo_stage_poses {
   const double *geom_rotations;   /**< geom_count x 9, from the shape's frame to the world's; or NULL, and: */
   const double *geom_quaternions; /**< geom_count x 4: w x y z of length 1. */
   size_t site_count;              /**< As of the stage, or 0. */
-  const double *site_positions;   /**< As of geoms. */
-  const double *site_rotations;   /**< As of geoms. */
-  const double *site_quaternions; /**< As of geoms. */
+  const double *site_positions;   /**< site_count x 3, m. */
+  const double *site_rotations;   /**< site_count x 9, as of geoms. */
+  const double *site_quaternions; /**< site_count x 4, as of geoms. */
   size_t light_count;             /**< As of the stage, or 0. */
   const double *light_positions;  /**< light_count x 3, m. */
   const double *light_directions; /**< light_count x 3: where they shine to, of length 1. */
