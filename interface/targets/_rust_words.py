@@ -37,6 +37,7 @@ CONFIGS = (
     "mimo_recorder_config",
     "mimo_scene_config",
     "mimo_senses_config",
+    "mimo_stage_air",
 )
 # ... and plain values, most of which the library returns.
 RECORDS = (

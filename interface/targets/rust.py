@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 
 from targets._prose import described
+from targets import _rust_stage
 from targets._rust_structs import Configs, Records
 from targets._rust_words import NOTICE, comment, identifier, integer, member_type, prose, rust_type
 
@@ -16,6 +17,7 @@ def files(api) -> dict[str, str]:
         "bindings/rust/mimo/src/constants.rs": constants(api),
         "bindings/rust/mimo/src/configs.rs": Configs(api).text(),
         "bindings/rust/mimo/src/records.rs": Records(api).text(),
+        "bindings/rust/mimo/src/stage_parts.rs": _rust_stage.text(api),
     }
 
 

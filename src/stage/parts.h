@@ -7,27 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "mimo/experimental/stage.h"
 #include "rays/frame.h"
 #include "rays/surfaces.h"
 #include "render/stage.h"
+#include "stage/stage.h"
 
 namespace mimo::stage {
-
-// What a host gives; null: nothing of it, or what there was.
-struct Given {
-  const mimo_stage_shapes *geoms = nullptr, *sites = nullptr;
-  const mimo_stage_meshes* meshes = nullptr;
-  const mimo_stage_fields* fields = nullptr;
-  const mimo_stage_textures* textures = nullptr;
-  const mimo_stage_materials* materials = nullptr;
-  const mimo_stage_surfaces* surfaces = nullptr;
-  const mimo_stage_tendons* tendons = nullptr;
-  const mimo_stage_lights* lights = nullptr;
-  const mimo_stage_air* air = nullptr;
-};
-
-mimo_stage_air default_air();
 
 struct Shapes {
   Shapes(const mimo_stage_shapes& given, const char* part);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "base/span.h"
-#include "mimo/experimental/stage.h"
 #include "rays/solids.h"
 #include "rays/surfaces.h"
 #include "render/stage.h"

@@ -9,7 +9,12 @@
 #include "base/fail.h"
 #include "base/header.h"
 #include "base/numbers.h"
+#include "base/pool.h"
+#include "rays/frame.h"
+#include "rays/painter.h"
 #include "stage/arrays.h"
+#include "stage/parts.h"
+#include "stage/poses.h"
 
 namespace mimo::stage {
 namespace {
@@ -129,8 +134,10 @@ mimo_stage_view default_view() {
 
 // ---- Drawing ------------------------------------------------------------------------------------------------
 
+namespace {
+
 // What one thread draws with.
-class Stage::Hand {
+class Hand {
  public:
   explicit Hand(const Parts& parts) : parts_(parts), mover_(parts) {}
 
@@ -193,10 +200,54 @@ class Stage::Hand {
   std::vector<std::int32_t> ids_;
 };
 
-// Each view is a piece of work for one thread.
-class Stage::Pictures final : public Job {
+}  // namespace
+
+class Stage::Inside {
  public:
-  Pictures(Stage& stage, Span<const mimo_stage_poses> poses, Span<const mimo_stage_view> views)
+  Inside(const Given& given, std::size_t threads, LogSink log)
+      : parts_(std::make_unique<const Parts>(given)), log_(std::move(log)), hands_(threads) {
+    if (threads > 1) pool_ = std::make_unique<Pool>(threads);
+    tell_omissions();
+  }
+
+  void update(const Given& given) {
+    auto parts = std::make_unique<const Parts>(*parts_, given);
+    for (auto& hand : hands_) hand.reset();
+    parts_ = std::move(parts);
+    tell_omissions();
+  }
+
+  void draw(Span<const mimo_stage_poses> poses, Span<const mimo_stage_view> views);
+
+ private:
+  class Pictures;
+
+  void tell_omissions() {
+    if (!log_) return;
+    for (std::string& line : parts_->omissions()) {
+      if (std::find(told_.begin(), told_.end(), line) != told_.end()) continue;
+      log_(LogLevel::kWarning, line);
+      told_.push_back(std::move(line));
+    }
+  }
+
+  Hand& hand(std::size_t thread) {
+    if (hands_[thread] == nullptr) hands_[thread] = std::make_unique<Hand>(*parts_);
+    return *hands_[thread];
+  }
+
+  std::unique_ptr<const Parts> parts_;
+  LogSink log_;
+  std::vector<std::string> told_;
+  rays::Painter painter_;
+  std::unique_ptr<Pool> pool_;                // null: the calling thread does it all
+  std::vector<std::unique_ptr<Hand>> hands_;  // one for each thread; null until it draws
+};
+
+// Each view is a piece of work for one thread.
+class Stage::Inside::Pictures final : public Job {
+ public:
+  Pictures(Inside& stage, Span<const mimo_stage_poses> poses, Span<const mimo_stage_view> views)
       : stage_(stage), poses_(poses), views_(views) {}
 
   void run(std::size_t item, std::size_t thread) noexcept override {
@@ -216,43 +267,14 @@ class Stage::Pictures final : public Job {
   }
 
  private:
-  Stage& stage_;
+  Inside& stage_;
   Span<const mimo_stage_poses> poses_;
   Span<const mimo_stage_view> views_;
   std::mutex mutex_;
   std::exception_ptr failure_;
 };
 
-Stage::Stage(const Given& given, std::size_t threads, LogSink log)
-    : parts_(std::make_unique<const Parts>(given)), log_(std::move(log)), hands_(threads) {
-  if (threads > 1) pool_ = std::make_unique<Pool>(threads);
-  tell_omissions();
-}
-
-Stage::~Stage() = default;
-
-void Stage::update(const Given& given) {
-  auto parts = std::make_unique<const Parts>(*parts_, given);
-  for (auto& hand : hands_) hand.reset();
-  parts_ = std::move(parts);
-  tell_omissions();
-}
-
-void Stage::tell_omissions() {
-  if (!log_) return;
-  for (std::string& line : parts_->omissions()) {
-    if (std::find(told_.begin(), told_.end(), line) != told_.end()) continue;
-    log_(LogLevel::kWarning, line);
-    told_.push_back(std::move(line));
-  }
-}
-
-Stage::Hand& Stage::hand(std::size_t thread) {
-  if (hands_[thread] == nullptr) hands_[thread] = std::make_unique<Hand>(*parts_);
-  return *hands_[thread];
-}
-
-void Stage::draw(Span<const mimo_stage_poses> poses, Span<const mimo_stage_view> views) {
+void Stage::Inside::draw(Span<const mimo_stage_poses> poses, Span<const mimo_stage_view> views) {
   for (std::size_t i = 0; i < poses.size(); ++i) check_poses(*parts_, poses[i], i);
   for (std::size_t i = 0; i < views.size(); ++i) check_view(views[i], poses.size(), i);
   for (auto& hand : hands_) {
@@ -265,5 +287,14 @@ void Stage::draw(Span<const mimo_stage_poses> poses, Span<const mimo_stage_view>
   }
   for (std::size_t i = 0; i < views.size(); ++i) pictures.draw(i, 0, pool_.get());
 }
+
+Stage::Stage(const Given& given, std::size_t threads, LogSink log)
+    : inside_(std::make_unique<Inside>(given, threads, std::move(log))) {}
+
+Stage::~Stage() = default;
+
+void Stage::update(const Given& given) { inside_->update(given); }
+
+void Stage::draw(Span<const mimo_stage_poses> poses, Span<const mimo_stage_view> views) { inside_->draw(poses, views); }
 
 }  // namespace mimo::stage

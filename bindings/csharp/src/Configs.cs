@@ -690,8 +690,8 @@ namespace Mimo
 
         internal StageAir(StageAirStruct raw) { this.raw = raw; }
 
-        /// <summary>1 (default): the camera carries a light.</summary>
-        public uint Headlight { get { return raw.headlight; } set { raw.headlight = value; } }
+        /// <summary>True: the camera carries a light. Default 1.</summary>
+        public bool Headlight { get { return raw.headlight != 0; } set { raw.headlight = value ? 1u : 0u; } }
 
         /// <summary>m, &gt; 0: nothing nearer is drawn. Default .01.</summary>
         public double NearPlane { get { return raw.near_plane; } set { raw.near_plane = value; } }

@@ -190,7 +190,7 @@ typedef struct mimo_stage_lights {
 /** What a stage is in: how near and far its cameras see, haze and fog, and the light that every camera carries. */
 typedef struct mimo_stage_air {
   uint32_t struct_size; /**< sizeof(mimo_stage_air), set by mimo_stage_air_init. */
-  uint32_t headlight;   /**< 1 (default): the camera carries a light. */
+  uint32_t headlight;   /**< 1: the camera carries a light. Default 1. */
   double near_plane;    /**< m, > 0: nothing nearer is drawn. Default .01. */
   double far_plane;     /**< m, > near_plane: nothing farther is drawn. Default 50. */
   double fog_start;     /**< m: where fog begins. Default 3. */

@@ -866,6 +866,66 @@ pub const MIMO_WARNING: i32 = 14;
 /// Experimental.
 pub const MIMO_WARNING_STEPS: i32 = 3585;
 
+/// z = 0, seen from above: half sides along x and y, 0 for an endless one; unused.
+///
+/// Experimental.
+pub const MIMO_FORM_PLANE: i32 = 0;
+
+/// A height field, which has its own size.
+///
+/// Experimental.
+pub const MIMO_FORM_FIELD: i32 = 1;
+
+/// Radius.
+///
+/// Experimental.
+pub const MIMO_FORM_SPHERE: i32 = 2;
+
+/// Along z: radius, half length of the straight part.
+///
+/// Experimental.
+pub const MIMO_FORM_CAPSULE: i32 = 3;
+
+/// Three radii.
+///
+/// Experimental.
+pub const MIMO_FORM_ELLIPSOID: i32 = 4;
+
+/// Along z: radius, half length.
+///
+/// Experimental.
+pub const MIMO_FORM_CYLINDER: i32 = 5;
+
+/// Three half sides.
+///
+/// Experimental.
+pub const MIMO_FORM_BOX: i32 = 6;
+
+/// A mesh, which has its own size.
+///
+/// Experimental.
+pub const MIMO_FORM_MESH: i32 = 7;
+
+/// A signed distance field, drawn as its mesh.
+///
+/// Experimental.
+pub const MIMO_FORM_DISTANCE: i32 = 8;
+
+/// A cone from a position.
+///
+/// Experimental.
+pub const MIMO_LAMP_SPOT: i32 = 0;
+
+/// Parallel light along a direction.
+///
+/// Experimental.
+pub const MIMO_LAMP_SUN: i32 = 1;
+
+/// From a position in all directions.
+///
+/// Experimental.
+pub const MIMO_LAMP_POINT: i32 = 2;
+
 /// Recorded fields are compared as well. Without it, the world may sense otherwise.
 ///
 /// Experimental.
@@ -931,6 +991,13 @@ pub struct mimo_batch {
 #[repr(C)]
 #[derive(Debug)]
 pub struct mimo_senses {
+    opaque: [u8; 0],
+}
+
+/// Things that can be drawn. Its arrays are copied: the caller's are free after each call.
+#[repr(C)]
+#[derive(Debug)]
+pub struct mimo_stage {
     opaque: [u8; 0],
 }
 
@@ -2086,6 +2153,468 @@ pub struct mimo_timing {
     pub hearing: f64,
 }
 
+/// Shapes: geoms, or sites. A shape whose form is none of MIMO_FORM_ is not drawn, and the log tells so once. Sizes
+/// are finite and not negative.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_shapes {
+    /// sizeof(mimo_stage_shapes), set by the caller.
+    pub struct_size: u32,
+    /// What segmentation gives as their type, for example MuJoCo's 5 (geom) or 6 (site).
+    pub object_type: i32,
+    /// How many.
+    pub count: usize,
+    /// count: MIMO_FORM_ constants.
+    pub forms: *const i32,
+    /// count x 3, m.
+    pub sizes: *const f64,
+    /// count x 4: red, green, blue, opacity, 0 to 1. As in MuJoCo, exactly .5 .5 .5 1 stands for the material's
+    /// colour.
+    pub colors: *const f32,
+    /// count: a material or -1; NULL: none.
+    pub materials: *const i32,
+    /// count: groups 0 to 5, which views show or hide; less is 0, more is 5. NULL: all 0.
+    pub groups: *const i32,
+    /// count: the mesh or height field of shapes that have one; NULL where none has.
+    pub data: *const i32,
+}
+
+/// Triangle meshes, one after the other in each array, in the frames of the shapes that show them. Corners of a
+/// triangle go counter-clockwise, seen from outside.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_meshes {
+    /// sizeof(mimo_stage_meshes), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How many meshes.
+    pub count: usize,
+    /// count: vertices of each mesh.
+    pub vertex_counts: *const i32,
+    /// count: normals of each mesh, 0 for none: they then follow from the triangles. NULL: none has any.
+    pub normal_counts: *const i32,
+    /// count: texture coordinates of each mesh, 0 for none. NULL: none has any.
+    pub texcoord_counts: *const i32,
+    /// count: triangles of each mesh.
+    pub triangle_counts: *const i32,
+    /// vertex_total x 3, m.
+    pub vertices: *const f32,
+    /// Sum of vertex_counts.
+    pub vertex_total: usize,
+    /// normal_total x 3.
+    pub normals: *const f32,
+    /// Sum of normal_counts.
+    pub normal_total: usize,
+    /// texcoord_total x 2; (0, 0) is the start of the texture's first row.
+    pub texcoords: *const f32,
+    /// Sum of texcoord_counts.
+    pub texcoord_total: usize,
+    /// triangle_total x 3 vertices, each counted from its mesh's first.
+    pub triangles: *const i32,
+    /// triangle_total x 3 normals, likewise; NULL: as triangles.
+    pub normal_triangles: *const i32,
+    /// triangle_total x 3 texture coordinates, likewise; NULL: as triangles.
+    pub texcoord_triangles: *const i32,
+    /// Sum of triangle_counts.
+    pub triangle_total: usize,
+}
+
+/// Height fields: a grid of heights over a rectangle, with walls and a bottom.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_fields {
+    /// sizeof(mimo_stage_fields), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How many.
+    pub count: usize,
+    /// count: rows of each, along y, at least 2.
+    pub rows: *const i32,
+    /// count: columns of each, along x, at least 2.
+    pub columns: *const i32,
+    /// count x 4, m: half sides along x and y, height of a 1, thickness below 0.
+    pub sizes: *const f64,
+    /// height_total: rows x columns of each field, one field after the other.
+    pub heights: *const f32,
+    /// How many there are.
+    pub height_total: usize,
+}
+
+/// Textures. The first one of type MIMO_TEXTURE_SKY is the sky.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_textures {
+    /// sizeof(mimo_stage_textures), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How many.
+    pub count: usize,
+    /// count: MIMO_TEXTURE_ constants.
+    pub types: *const i32,
+    /// count: pixels, at least 1.
+    pub widths: *const i32,
+    /// count: pixels, at least 1; of a cube or sky the width (one picture for all six sides) or six times the width
+    /// (right, left, up, down, front, back).
+    pub heights: *const i32,
+    /// count: bytes of a pixel: 1 or 2 (grey first), 3 or 4 (red, green, blue). NULL: 3.
+    pub channels: *const i32,
+    /// pixel_bytes: row after row, one texture after the other.
+    pub pixels: *const u8,
+    /// Length of pixels.
+    pub pixel_bytes: usize,
+}
+
+/// Materials. Numbers are 0 to 1 where nothing else is said.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_materials {
+    /// sizeof(mimo_stage_materials), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How many.
+    pub count: usize,
+    /// count x 4: red, green, blue, opacity; multiplied with the texture.
+    pub colors: *const f32,
+    /// count: share of its colour that it emits; NULL: 0.
+    pub emission: *const f32,
+    /// count: strength of highlights; NULL: .5.
+    pub specular: *const f32,
+    /// count: their sharpness, Phong's exponent over 128; NULL: .5.
+    pub shininess: *const f32,
+    /// count: share of light that it mirrors; the first opaque plane or box that has some is the picture's one mirror,
+    /// with its upper side. NULL: 0.
+    pub reflectance: *const f32,
+    /// count: a texture or -1; NULL: none.
+    pub textures: *const i32,
+    /// count x 2: how often a flat texture repeats along x and y; NULL: 1.
+    pub repeats: *const f32,
+    /// count: 1: repeats (and cubes) are per metre, 0: per shape; NULL: 0.
+    pub uniform: *const u8,
+}
+
+/// Surfaces whose vertices move: skins, cloth, soft bodies, ropes. Normals follow from the triangles. Vertices are in
+/// the world's frame.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_surfaces {
+    /// sizeof(mimo_stage_surfaces), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How many.
+    pub count: usize,
+    /// count: vertices of each.
+    pub vertex_counts: *const i32,
+    /// count: triangles of each, or rods.
+    pub element_counts: *const i32,
+    /// count: 3: its elements are triangles; 2: rods between two vertices, whose ends are round. NULL: 3.
+    pub corners: *const i32,
+    /// count: texture coordinates of each, 0 for none. NULL: none has any.
+    pub texcoord_counts: *const i32,
+    /// vertex_total x 3, m: where they lie at rest; finite. Poses give where they are; these settle how rays look for
+    /// the triangles.
+    pub vertices: *const f64,
+    /// Sum of vertex_counts.
+    pub vertex_total: usize,
+    /// element_length vertices, corners of them for each element, counted from its surface's first. Triangles go
+    /// counter-clockwise, seen from outside.
+    pub elements: *const i32,
+    /// element_length texture coordinates, likewise; NULL: as elements.
+    pub texcoord_elements: *const i32,
+    /// Sum of corners x element_counts.
+    pub element_length: usize,
+    /// texcoord_total x 2.
+    pub texcoords: *const f32,
+    /// Sum of texcoord_counts.
+    pub texcoord_total: usize,
+    /// count: m, finite, not negative: radius of rods; triangles are drawn so far outside of their vertices. NULL: 0.
+    pub radii: *const f32,
+    /// count: 1: it has two sides, so far apart as twice its radius, and an edge between; 0: it is closed. NULL: 0.
+    pub sheets: *const u8,
+    /// count: 1: each triangle has one normal; 0: they are smoothed. NULL: 0.
+    pub flat: *const u8,
+    /// count x 4, as of shapes.
+    pub colors: *const f32,
+    /// count: a material or -1; NULL: none.
+    pub materials: *const i32,
+    /// count, as of shapes.
+    pub groups: *const i32,
+    /// count x 2: what segmentation gives, id and type; NULL: its number and 0.
+    pub objects: *const i32,
+}
+
+/// Tendons: strings along paths that poses give.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_tendons {
+    /// sizeof(mimo_stage_tendons), set by the caller.
+    pub struct_size: u32,
+    /// What segmentation gives as their type, for example MuJoCo's 18.
+    pub object_type: i32,
+    /// How many.
+    pub count: usize,
+    /// count: their radii, m; half of that where they wrap around something.
+    pub widths: *const f64,
+    /// count x 4, as of shapes.
+    pub colors: *const f32,
+    /// count: a material or -1; NULL: none.
+    pub materials: *const i32,
+    /// count, as of shapes.
+    pub groups: *const i32,
+}
+
+/// Lights, by MuJoCo's model: ambient and diffuse parts, and highlights after Phong. A view shows eight, the headlight
+/// among them; the log tells once of more. A light of another type does not shine, and the log tells so once.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_lights {
+    /// sizeof(mimo_stage_lights), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// How many.
+    pub count: usize,
+    /// count: MIMO_LAMP_ constants.
+    pub types: *const i32,
+    /// count: 1: it is on; NULL: all are.
+    pub active: *const u8,
+    /// count: 1: it casts shadows; NULL: all do.
+    pub casts_shadow: *const u8,
+    /// count x 3: red, green, blue; NULL: 0.
+    pub ambient: *const f32,
+    /// count x 3; NULL: .7.
+    pub diffuse: *const f32,
+    /// count x 3; NULL: .3.
+    pub specular: *const f32,
+    /// count x 3: strength at d metres is divided by a0 + a1 d + a2 d^2; NULL: 1 0 0.
+    pub attenuation: *const f32,
+    /// count: half angle of the cone, degrees; 180: all directions. NULL: 45.
+    pub cutoff: *const f32,
+    /// count: concentration towards the middle of the cone; NULL: 10.
+    pub exponent: *const f32,
+}
+
+/// What a stage is in: how near and far its cameras see, haze and fog, and the light that every camera carries.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_air {
+    /// sizeof(mimo_stage_air), set by mimo_stage_air_init.
+    pub struct_size: u32,
+    /// 1: the camera carries a light. Default 1.
+    pub headlight: u32,
+    /// m, > 0: nothing nearer is drawn. Default .01.
+    pub near_plane: f64,
+    /// m, > near_plane: nothing farther is drawn. Default 50.
+    pub far_plane: f64,
+    /// m: where fog begins. Default 3.
+    pub fog_start: f64,
+    /// m: where nothing else is seen. Default 10.
+    pub fog_end: f64,
+    /// Height of the haze at the horizon, a share of the sky, 0 to 1. Default .3.
+    pub haze: f64,
+    /// Red, green, blue. Default black.
+    pub fog_color: [f32; 3],
+    /// Likewise. Default white.
+    pub haze_color: [f32; 3],
+    /// Of the headlight. Default .1.
+    pub ambient: [f32; 3],
+    /// Likewise. Default .4.
+    pub diffuse: [f32; 3],
+    /// Likewise. Default .5.
+    pub specular: [f32; 3],
+    /// 0.
+    pub reserved: u32,
+}
+
+/// What a stage is made of. A part that is NULL has no elements; air then has its defaults.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_config {
+    /// sizeof(mimo_stage_config), set by the caller.
+    pub struct_size: u32,
+    /// That draw, the caller's among them, 1 to 256; 0: 1.
+    pub threads: u32,
+    /// Shapes.
+    pub geoms: *const mimo_stage_shapes,
+    /// Further shapes, that poses move apart.
+    pub sites: *const mimo_stage_shapes,
+    /// Meshes.
+    pub meshes: *const mimo_stage_meshes,
+    /// Height fields.
+    pub fields: *const mimo_stage_fields,
+    /// Textures.
+    pub textures: *const mimo_stage_textures,
+    /// Materials.
+    pub materials: *const mimo_stage_materials,
+    /// Surfaces.
+    pub surfaces: *const mimo_stage_surfaces,
+    /// Tendons.
+    pub tendons: *const mimo_stage_tendons,
+    /// Lights.
+    pub lights: *const mimo_stage_lights,
+    /// The rest.
+    pub air: *const mimo_stage_air,
+    /// Receives messages during calls on the stage, or NULL: a warning for each thing that is not drawn, once.
+    pub log: mimo_log_fn,
+    /// Passed to log.
+    pub log_user: *mut c_void,
+}
+
+/// Where all things are. Arrays are read during the call only; those of MuJoCo's mjData fit as they lie (geom_xpos,
+/// geom_xmat, light_xdir, flexvert_xpos, wrap_xpos, ...). Numbers are finite. A count that is 0 is fine where the
+/// stage has none of it, or where none of it is to be drawn: a stage with sites need not be given their places.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_poses {
+    /// sizeof(mimo_stage_poses), set by the caller.
+    pub struct_size: u32,
+    /// 0.
+    pub reserved: u32,
+    /// As of the stage, or 0.
+    pub geom_count: usize,
+    /// geom_count x 3, m.
+    pub geom_positions: *const f64,
+    /// geom_count x 9, from the shape's frame to the world's; or NULL, and:
+    pub geom_rotations: *const f64,
+    /// geom_count x 4: w x y z of length 1.
+    pub geom_quaternions: *const f64,
+    /// As of the stage, or 0.
+    pub site_count: usize,
+    /// site_count x 3, m.
+    pub site_positions: *const f64,
+    /// site_count x 9, as of geoms.
+    pub site_rotations: *const f64,
+    /// site_count x 4, as of geoms.
+    pub site_quaternions: *const f64,
+    /// As of the stage, or 0.
+    pub light_count: usize,
+    /// light_count x 3, m.
+    pub light_positions: *const f64,
+    /// light_count x 3: where they shine to, of length 1.
+    pub light_directions: *const f64,
+    /// As of the stage's surfaces, or 0.
+    pub vertex_count: usize,
+    /// vertex_count x 3, m: of all surfaces, one after the other.
+    pub vertices: *const f64,
+    /// As of the stage, or 0.
+    pub tendon_count: usize,
+    /// tendon_count: the first point of each path.
+    pub tendon_first: *const i32,
+    /// tendon_count: how many points it has; 0 for none.
+    pub tendon_points: *const i32,
+    /// path_count x 3, m.
+    pub path_points: *const f64,
+    /// path_count: -2: a pulley, where the path is interrupted; two points side by side with 0 or more: it wraps
+    /// around something between them. NULL: all -1.
+    pub path_objects: *const i32,
+    /// Points of all paths.
+    pub path_count: usize,
+    /// Shapes of this picture alone: contacts, arrows, a marker.
+    pub extra_count: usize,
+    /// extra_count: MIMO_FORM_ constants but field, mesh and distance.
+    pub extra_forms: *const i32,
+    /// extra_count x 3, m.
+    pub extra_sizes: *const f64,
+    /// extra_count x 3, m.
+    pub extra_positions: *const f64,
+    /// extra_count x 9.
+    pub extra_rotations: *const f64,
+    /// extra_count x 4, as of shapes.
+    pub extra_colors: *const f32,
+    /// extra_count: a material or -1; NULL: none.
+    pub extra_materials: *const i32,
+    /// extra_count x 2: what segmentation gives, id and type; NULL: -1 -1.
+    pub extra_objects: *const i32,
+}
+
+/// A picture: from where, how, and into which buffers. A part whose buffer is NULL is not drawn. Strides are the
+/// distance from one row to the next, at least a row; 0: a row.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_stage_view {
+    /// sizeof(mimo_stage_view), set by mimo_stage_view_init.
+    pub struct_size: u32,
+    /// Which of the poses it shows. Default 0.
+    pub pose: u32,
+    /// Pixels, 1 to 16384. Default 320.
+    pub width: u32,
+    /// Pixels, 1 to 16384. Default 240.
+    pub height: u32,
+    /// MIMO_RENDER_ bits. Default: all but fog.
+    pub render: u32,
+    /// Rays per pixel of colours: 1, 4, 16 or 64; 0 (default): 1. Depth and segmentation are those of the middle of
+    /// the pixel.
+    pub samples: u32,
+    /// Bit n: geoms of group n are shown. Default 0x7: groups 0, 1 and 2.
+    pub geom_groups: u32,
+    /// Likewise. Default 0x7.
+    pub site_groups: u32,
+    /// Likewise. Default 0x7.
+    pub surface_groups: u32,
+    /// Likewise. Default 0x7.
+    pub tendon_groups: u32,
+    /// 3: where the camera is, m.
+    pub position: *const f64,
+    /// 9: from the camera's frame (x right, y up, z backward) to the world's.
+    pub rotation: *const f64,
+    /// Vertical field of view, degrees, > 0 and < 180. Default 45.
+    pub fovy: f64,
+    /// Focal length along x, pixels, > 0; 0 (default): fovy counts.
+    pub focal_x: f64,
+    /// Likewise along y.
+    pub focal_y: f64,
+    /// With focal lengths: the principal point, pixels from the left edge.
+    pub center_x: f64,
+    /// Likewise from the upper edge.
+    pub center_y: f64,
+    /// height x width x 3: red, green, blue.
+    pub rgb: *mut u8,
+    /// Length of rgb.
+    pub rgb_bytes: usize,
+    /// Bytes.
+    pub rgb_stride: usize,
+    /// height x width: metres along the camera's axis, the far plane where nothing is.
+    pub depth: *mut f32,
+    /// Length of depth.
+    pub depth_count: usize,
+    /// Numbers.
+    pub depth_stride: usize,
+    /// height x width x 2: id and type of the object, -1 -1 where nothing is. What is transparent counts as opaque.
+    pub segmentation: *mut i32,
+    /// Length of segmentation.
+    pub segmentation_count: usize,
+    /// Numbers.
+    pub segmentation_stride: usize,
+}
+
 /// What is recorded, and how.
 ///
 /// Experimental.
@@ -2352,7 +2881,8 @@ extern "C" {
     /// Errors of this function do not change any handle's message. Any thread may call it, also while others use the
     /// handle.
     ///
-    /// * `handle`: a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_layout, mimo_recorder or mimo_recording.
+    /// * `handle`: a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_layout, mimo_recorder, mimo_recording or
+    /// mimo_stage.
     ///
     /// * `text`: receives the message, zero-terminated, "" if no call has failed yet; NULL with capacity 0 asks only
     /// for its length.
@@ -3404,6 +3934,64 @@ extern "C" {
     ///
     /// Experimental.
     pub fn mimo_env_timing_reset(env: *mut mimo_env) -> mimo_status;
+
+    /// Fills it with MuJoCo's defaults for a scene of 1 m.
+    ///
+    /// Experimental.
+    ///
+    /// * `size`: sizeof(mimo_stage_air) as the caller knows it.
+    pub fn mimo_stage_air_init(air: *mut mimo_stage_air, size: usize) -> mimo_status;
+
+    /// Makes a stage. All arrays are copied.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT for arrays that are missing or do not fit each other, indices of what is not
+    /// there and numbers that are not finite, with the array, the place and the value; MIMO_E_UNSUPPORTED for meshes
+    /// and textures that are too large for the ray renderer (about 89 million triangles, 536 million texels).
+    ///
+    /// Experimental.
+    ///
+    /// * `stage`: receives the handle; destroy it with mimo_stage_destroy.
+    pub fn mimo_stage_create(config: *const mimo_stage_config, stage: *mut *mut mimo_stage) -> mimo_status;
+
+    /// Destroys a stage. NULL and destroyed handles are ignored.
+    ///
+    /// Experimental.
+    pub fn mimo_stage_destroy(stage: *mut mimo_stage);
+
+    /// Replaces the parts that are given, all at once, and leaves the others as they are: for other colours, lights,
+    /// sizes, a changed texture. Geoms, sites, materials, tendons, lights and air cost little, so that it may be
+    /// called before every picture; meshes, fields, textures and surfaces are prepared anew.
+    ///
+    /// Errors: as mimo_stage_create; the stage then stays as it is.
+    ///
+    /// Experimental.
+    ///
+    /// * `config`: threads is 0 and log NULL: both stay.
+    pub fn mimo_stage_update(stage: *mut mimo_stage, config: *const mimo_stage_config) -> mimo_status;
+
+    /// Fills a view with defaults: no buffers, and no camera, which has to be set.
+    ///
+    /// Experimental.
+    ///
+    /// * `size`: sizeof(mimo_stage_view) as the caller knows it.
+    pub fn mimo_stage_view_init(view: *mut mimo_stage_view, size: usize) -> mimo_status;
+
+    /// Draws pictures: one, several views of one pose, or many poses of the stage side by side, on the stage's
+    /// threads. Buffers of different views must not overlap.
+    ///
+    /// Errors: MIMO_E_INVALID_ARGUMENT for poses that do not fit the stage or are not finite, and for views that
+    /// cannot be; MIMO_E_BUFFER_TOO_SMALL. Nothing is drawn then, in none of the views.
+    ///
+    /// Experimental.
+    ///
+    /// * `poses`: pose_count pointers: what views show.
+    ///
+    /// * `pose_count`: at least 1.
+    ///
+    /// * `views`: view_count pointers.
+    ///
+    /// * `view_count`: how many pictures.
+    pub fn mimo_stage_draw(stage: *mut mimo_stage, poses: *const *const mimo_stage_poses, pose_count: usize, views: *const *const mimo_stage_view, view_count: usize) -> mimo_status;
 
     /// Fills a config with defaults.
     ///

@@ -1029,6 +1029,91 @@ impl SensesConfig {
     }
 }
 
+/// What a stage is in: how near and far its cameras see, haze and fog, and the light that every camera carries.
+///
+/// Experimental.
+#[derive(Clone, Copy, Debug)]
+pub struct StageAir {
+    pub(crate) raw: sys::mimo_stage_air,
+}
+
+impl StageAir {
+    /// With the library's defaults.
+    pub fn new() -> Result<StageAir> {
+        Ok(StageAir { raw: defaults(sys::mimo_stage_air_init)? })
+    }
+
+    pub(crate) fn pointer(one: &Option<StageAir>) -> *const sys::mimo_stage_air {
+        one.as_ref().map_or(null(), |one| &one.raw as *const _)
+    }
+
+    /// true: the camera carries a light. Default 1.
+    pub fn headlight(&mut self, headlight: bool) -> &mut Self {
+        self.raw.headlight = headlight.into();
+        self
+    }
+
+    /// m, \> 0: nothing nearer is drawn. Default .01.
+    pub fn near_plane(&mut self, near_plane: f64) -> &mut Self {
+        self.raw.near_plane = near_plane;
+        self
+    }
+
+    /// m, \> near_plane: nothing farther is drawn. Default 50.
+    pub fn far_plane(&mut self, far_plane: f64) -> &mut Self {
+        self.raw.far_plane = far_plane;
+        self
+    }
+
+    /// m: where fog begins. Default 3.
+    pub fn fog_start(&mut self, fog_start: f64) -> &mut Self {
+        self.raw.fog_start = fog_start;
+        self
+    }
+
+    /// m: where nothing else is seen. Default 10.
+    pub fn fog_end(&mut self, fog_end: f64) -> &mut Self {
+        self.raw.fog_end = fog_end;
+        self
+    }
+
+    /// Height of the haze at the horizon, a share of the sky, 0 to 1. Default .3.
+    pub fn haze(&mut self, haze: f64) -> &mut Self {
+        self.raw.haze = haze;
+        self
+    }
+
+    /// Red, green, blue. Default black.
+    pub fn fog_color(&mut self, fog_color: [f32; 3]) -> &mut Self {
+        self.raw.fog_color = fog_color;
+        self
+    }
+
+    /// Likewise. Default white.
+    pub fn haze_color(&mut self, haze_color: [f32; 3]) -> &mut Self {
+        self.raw.haze_color = haze_color;
+        self
+    }
+
+    /// Of the headlight. Default .1.
+    pub fn ambient(&mut self, ambient: [f32; 3]) -> &mut Self {
+        self.raw.ambient = ambient;
+        self
+    }
+
+    /// Likewise. Default .4.
+    pub fn diffuse(&mut self, diffuse: [f32; 3]) -> &mut Self {
+        self.raw.diffuse = diffuse;
+        self
+    }
+
+    /// Likewise. Default .5.
+    pub fn specular(&mut self, specular: [f32; 3]) -> &mut Self {
+        self.raw.specular = specular;
+        self
+    }
+}
+
 /// What is recorded, and how.
 ///
 /// Experimental.

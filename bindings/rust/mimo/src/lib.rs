@@ -63,6 +63,9 @@ mod rows;
 mod scene;
 mod sense;
 mod senses;
+mod stage;
+#[rustfmt::skip]
+mod stage_parts;
 mod state;
 mod steps;
 mod structs;
@@ -96,6 +99,8 @@ pub use sense::{
     Sense, SenseField, SenseFields, SenseMoment, SenseNumber, SenseOpening, SenseParameter, SenseTable,
 };
 pub use senses::Senses;
+pub use stage::{Stage, StageParts, StagePicture, StageView};
+pub use stage_parts::*;
 pub use state::LoadReport;
 pub use task::{Moment, Task, TaskField, Verdict};
 pub use version::{abi_version, api_version, mujoco_version, supports, version};

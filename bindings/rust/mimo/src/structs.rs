@@ -1,5 +1,6 @@
 //! Structs of C, which start with their size.
-use crate::error::{c_string, check, text, Result};
+use crate::constants::Status;
+use crate::error::{c_string, check, text, Error, Result};
 use crate::sys;
 use std::ffi::CString;
 use std::mem::{size_of, MaybeUninit};
@@ -43,4 +44,26 @@ pub(crate) fn given(string: *const c_char) -> Result<Option<CString>> {
         return Ok(None);
     }
     c_string(&text(string)).map(Some)
+}
+
+/// An array for C; NULL for none.
+pub(crate) fn array<T>(elements: &[T]) -> *const T {
+    if elements.is_empty() {
+        null()
+    } else {
+        elements.as_ptr()
+    }
+}
+
+/// The length that arrays have in common: each is empty, or has so many numbers for each of them.
+pub(crate) fn common_length(arrays: &[(usize, usize, &str)]) -> Result<usize> {
+    let given: Vec<_> = arrays.iter().filter(|(length, _, _)| *length > 0).collect();
+    let count = given.first().map_or(0, |(length, width, _)| length / width);
+    match given.iter().find(|(length, width, _)| *length != count * width) {
+        None => Ok(count),
+        Some((length, width, name)) => Err(Error::new(
+            Status::INVALID_ARGUMENT,
+            format!("{} has {} elements, expected {} times {}, as {} has", name, length, count, width, given[0].2),
+        )),
+    }
 }
