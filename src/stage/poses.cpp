@@ -134,8 +134,13 @@ void check_poses(const Parts& parts, const mimo_stage_poses& poses, std::size_t 
   check_extras(parts, poses, which);
 }
 
-Mover::Mover(const Parts& parts) : parts_(parts), all_(parts.view()) {
+Mover::Mover(const Parts& parts) : parts_(&parts), all_(parts.view()) {
   for (const rays::MovingSurface& surface : *parts.surfaces().moving) draped_.emplace_back(surface.pattern);
+}
+
+void Mover::adopt(const Parts& parts) {
+  parts_ = &parts;
+  all_ = parts.view();
 }
 
 void Mover::take(const mimo_stage_poses& poses) {
@@ -143,10 +148,10 @@ void Mover::take(const mimo_stage_poses& poses) {
   if (poses.geom_quaternions != nullptr) rotate_all(poses.geom_quaternions, poses.geom_count, geom_rotations_);
   if (poses.site_quaternions != nullptr) rotate_all(poses.site_quaternions, poses.site_count, site_rotations_);
   if (poses.vertex_count == 0) return;
-  const std::vector<rays::MovingSurface>& moving = *parts_.surfaces().moving;
+  const std::vector<rays::MovingSurface>& moving = *parts_->surfaces().moving;
   for (std::size_t i = 0; i < moving.size(); ++i) {
     if (moving[i].shell.drawn().count() == 0) continue;
-    moving[i].shell.expand(poses.vertices + 3 * static_cast<std::ptrdiff_t>(parts_.surfaces().all[i].first_vertex),
+    moving[i].shell.expand(poses.vertices + 3 * static_cast<std::ptrdiff_t>(parts_->surfaces().all[i].first_vertex),
                            vertices_);
     draped_[i].drape(vertices_.places.data(), vertices_.normals.data());
   }
@@ -167,7 +172,7 @@ void Mover::add(const rays::Extra& extra, std::array<int, 2> object) {
 }
 
 void Mover::add_surfaces(unsigned groups) {
-  const Surfaces& surfaces = parts_.surfaces();
+  const Surfaces& surfaces = parts_->surfaces();
   for (std::size_t i = 0; i < surfaces.all.size(); ++i) {
     if (!render::is_shown(surfaces.groups[i], groups)) continue;
     const std::array<int, 2> object = {surfaces.objects[2 * i], surfaces.objects[2 * i + 1]};
@@ -188,7 +193,7 @@ void Mover::add_surfaces(unsigned groups) {
 }
 
 void Mover::add_tendons(unsigned groups) {
-  const Tendons& tendons = parts_.tendons();
+  const Tendons& tendons = parts_->tendons();
   const auto object_at = [&](std::ptrdiff_t i) {
     return poses_->path_objects == nullptr ? -1 : poses_->path_objects[i];
   };
@@ -248,9 +253,9 @@ render::Poses Mover::places() const {
 
 std::array<int, 2> Mover::object(int id) const {
   if (id < 0) return {-1, -1};
-  if (id < all_.geoms.count) return {id, parts_.geoms().object_type};
+  if (id < all_.geoms.count) return {id, parts_->geoms().object_type};
   id -= all_.geoms.count;
-  if (id < all_.sites.count) return {id, parts_.sites().object_type};
+  if (id < all_.sites.count) return {id, parts_->sites().object_type};
   return objects_[static_cast<std::size_t>(id - all_.sites.count)];
 }
 

@@ -20,6 +20,8 @@ class Mover {
  public:
   explicit Mover(const Parts& parts);
 
+  // Others with the same surfaces take the parts' place.
+  void adopt(const Parts& parts);
   // Poses that were checked. They outlive what follows.
   void take(const mimo_stage_poses& poses);
   // What of them a view shows, beside geoms and sites.
@@ -38,7 +40,7 @@ class Mover {
   void add_given();
   void add(const rays::Extra& extra, std::array<int, 2> object);
 
-  const Parts& parts_;
+  const Parts* parts_;
   render::Stage all_;
   const mimo_stage_poses* poses_ = nullptr;
   std::vector<double> geom_rotations_, site_rotations_;  // from quaternions

@@ -1,6 +1,7 @@
 #include "stage/stage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <mutex>
@@ -139,7 +140,15 @@ namespace {
 // What one thread draws with.
 class Hand {
  public:
-  explicit Hand(const Parts& parts) : parts_(parts), mover_(parts) {}
+  explicit Hand(const Parts& parts) : parts_(&parts), mover_(parts) {}
+
+  // Other parts take the place of those that it has; false where its memory does not fit them.
+  bool adopt(const Parts& parts) {
+    if (parts.assets() != parts_->assets() || size_of(parts) != size_of(*parts_)) return false;
+    parts_ = &parts;
+    mover_.adopt(parts);
+    return true;
+  }
 
   // Forgets the last poses, whose memory the host may have changed.
   void begin() { at_ = nullptr; }
@@ -169,11 +178,18 @@ class Hand {
   }
 
  private:
+  // What the memory of a frame depends on, beside the extras.
+  static std::array<std::size_t, 3> size_of(const Parts& parts) {
+    const std::vector<unsigned char>& shadows = parts.lights().casts_shadow;
+    return {parts.geoms().forms.size(), parts.sites().forms.size(),
+            shadows.size() - static_cast<std::size_t>(std::count(shadows.begin(), shadows.end(), 0))};
+  }
+
   void make_room(std::size_t extras) {
     if (frame_ != nullptr && extras <= room_) return;
     room_ = extras + extras / 2;
     frame_.reset();
-    frame_ = std::make_unique<rays::Frame>(parts_.view(), room_, *parts_.assets());
+    frame_ = std::make_unique<rays::Frame>(parts_->view(), room_, *parts_->assets());
   }
 
   // Numbers become pairs of an id and a type. Pixels side by side are mostly of one object.
@@ -192,7 +208,7 @@ class Hand {
     }
   }
 
-  const Parts& parts_;
+  const Parts* parts_;
   Mover mover_;
   const mimo_stage_poses* at_ = nullptr;
   std::size_t room_ = 0;  // for extras
@@ -212,7 +228,9 @@ class Stage::Inside {
 
   void update(const Given& given) {
     auto parts = std::make_unique<const Parts>(*parts_, given);
-    for (auto& hand : hands_) hand.reset();
+    for (auto& hand : hands_) {
+      if (hand != nullptr && !hand->adopt(*parts)) hand.reset();
+    }
     parts_ = std::move(parts);
     tell_omissions();
   }
