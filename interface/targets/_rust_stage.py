@@ -45,5 +45,9 @@ def part(told, struct) -> str:
         filled += "".join(f'            (self.{one.name}.len(), {width}, "{one.name}"),\n' for one, width in of)
         filled += "        ])?;\n"
     return PART.format(
-        doc=comment(told(described(struct))), name=pascal(struct.name), struct=struct.name, members=members, filled=filled
+        doc=comment(told(described(struct))),
+        name=pascal(struct.name),
+        struct=struct.name,
+        members=members,
+        filled=filled,
     )

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import textwrap
 
-from targets._prose import described
 from targets import _rust_stage
+from targets._prose import described
 from targets._rust_structs import Configs, Records
 from targets._rust_words import NOTICE, comment, identifier, integer, member_type, prose, rust_type
 

@@ -514,7 +514,6 @@ static void test_batch(void) {
       draw(stage, &poses[i / 2], &one);
       CHECK(memcmp(alone, pictures[threads][i], BYTES) == 0);
     }
-    CHECK_OK(mimo_stage_draw(stage, all_poses, POSES, all_views, 0));
     mimo_stage_destroy(stage);
   }
   CHECK(memcmp(pictures[0], pictures[1], sizeof pictures[0]) == 0);
