@@ -135,8 +135,6 @@ mimo_stage_view default_view() {
 
 // ---- Drawing ------------------------------------------------------------------------------------------------
 
-namespace {
-
 // What one thread draws with.
 class Hand {
  public:
@@ -215,8 +213,6 @@ class Hand {
   std::unique_ptr<rays::Frame> frame_;
   std::vector<std::int32_t> ids_;
 };
-
-}  // namespace
 
 class Stage::Inside {
  public:

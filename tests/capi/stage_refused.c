@@ -334,7 +334,7 @@ static void test_assets(void) {
   REFUSED(e.types[0] = 3, "textures: types[0] is 3");
   REFUSED(e.widths[0] = 0, "textures: widths[0] is 0, expected 1 to 65536 pixels");
   REFUSED(e.widths[0] = INT32_MAX, "textures: widths[0] is 2147483647");
-  REFUSED(e.tex_heights[1] = 5, "textures: heights[1] is 5, expected 6 or 1 of a cube 1 pixels wide");
+  REFUSED(e.tex_heights[1] = 5, "textures: heights[1] is 5, expected 1 or 6 of a cube 1 pixels wide");
   REFUSED(e.channels[0] = 5, "textures: channels[0] is 5");
   REFUSED(e.textures.pixel_bytes = 17, "textures: pixel_bytes is 17, expected 18");
   REFUSED(e.textures.pixels = NULL, "textures: pixels is NULL");

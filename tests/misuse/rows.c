@@ -102,7 +102,7 @@ static mimo_status open_recorder(args* a) {
 /* An agent has one sense of a name: world.c has room for a number in it. */
 static mimo_status add_sense(args* a) {
   static int number = 1000;
-  if (a->sense != NULL && a->sense->name != NULL) snprintf((char*)a->sense->name, 5, "%d", ++number);
+  if (a->sense != NULL && a->sense->name != NULL) snprintf((char*)a->sense->name, 12, "%d", ++number);
   return mimo_scene_add_sense(a->scene, a->agent_index, a->sense);
 }
 

@@ -142,7 +142,7 @@ static const char* const toys[1] = {"toy"};
 static const char* const task_terms[1] = {"one"};
 static const size_t task_shape[1] = {3};
 
-static char sense_name[] = "1000";
+static char sense_name[12] = "1000";
 static const mimo_parameter sense_parameter = {
     .struct_size = sizeof(mimo_parameter), .name = "keen", .description = "1", .standard = 1, .high = 2};
 
