@@ -1,5 +1,6 @@
 /* Senses that are wrong: tables with holes, fields that cannot be, functions that fail, write past their memory, change
  * what they may not. Each is named, and the world goes on, or is not made. */
+#define _XOPEN_SOURCE 700 /* setenv */
 #include "support/capi.h"
 
 /* What the sense does wrong. */
