@@ -64,7 +64,7 @@ def shown(session: nox.Session) -> None:
 def files(session: nox.Session) -> None:
     """Recordings as files of other programs, read and checked by these, and streams."""
     install(session, "files")
-    check(session, "export", "lsl", guides="files")
+    check(session, "export", "fmu", "lsl", "markers", guides="files")
 
 
 @nox.session

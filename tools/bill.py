@@ -19,6 +19,7 @@ COMPILED = [
 ]
 IN_PROGRAM = [
     ("CLI11", "BSD-3-Clause", "libcli11-dev"),
+    ("FMI headers", "BSD-2-Clause", "3.0.2"),  # src/fmi/standard
     ("libpng", "libpng-2.0", "libpng1.6"),
 ]
 MUJOCO = ("MuJoCo", "Apache-2.0", "2.2.2")

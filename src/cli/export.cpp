@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 
+#include "cli/adapter.h"
 #include "cli/commands.h"
 #include "cli/glb.h"
+#include "fmi/unit_file.h"
 #include "programs/files.h"
 #include "programs/joints.h"
 #include "programs/program.h"
@@ -34,9 +36,18 @@ constexpr OfPython kOfPython[] = {
     {"--mp4", "FOLDER", "Films by field, of a recording", "video", "run.h5"},
 };
 
+// What shapes alone have no use for.
+constexpr const char* kOfUnits[] = {"--vision",         "--renderer",  "--samples", "--effects",
+                                    "--render-threads", "--foveation", "--touch",   "--senses",
+                                    "--reflexes",       "--outputs",   "--fmi"};
+constexpr const char* kOfWorlds[] = {
+    "--body",   "--age",    "--physiological-age", "--sex",  "--percentile", "--z-length", "--z-weight",
+    "--z-head", "--growth", "--actuation",         "--face", "--seed"};
+constexpr const char* kOfShapes[] = {"--seconds", "--segments"};
+
 struct ExportOptions {
-  WorldOptions world;
-  std::string gltf, recording;
+  UnitOptions unit;
+  std::string gltf, fmu, recording;
   std::array<std::string, std::size(kOfPython)> of_python;
   double seconds = 0;
   std::uint32_t segments = 24;
@@ -218,7 +229,33 @@ class GltfScene {
   std::vector<std::vector<float>> env_poses_;
 };
 
-void export_scene(const ExportOptions& options) {
+template <std::size_t kCount>
+void refuse(const CLI::App& command, const char* const (&names)[kCount], const std::string& with) {
+  for (const char* name : names) {
+    if (command.count(name) > 0) throw Failure(std::string(name) + " has no effect with " + with);
+  }
+}
+
+// Options as they were given, for the unit, which reads them again.
+template <std::size_t kCount>
+void add_given(const CLI::App& command, const char* const (&names)[kCount], std::vector<std::string>& words) {
+  for (const char* name : names) {
+    if (command.count(name) == 0) continue;
+    words.emplace_back(name);
+    const std::vector<std::string> given = command.get_option(name)->as<std::vector<std::string>>();
+    words.insert(words.end(), given.begin(), given.end());
+  }
+}
+
+void export_unit(const ExportOptions& options, const CLI::App& command) {
+  refuse(command, kOfShapes, "--fmu");
+  std::vector<std::string> words;
+  add_given(command, kOfWorlds, words);
+  add_given(command, kOfUnits, words);
+  write_unit(options.fmu, options.unit, words, unit_adapter());
+}
+
+void export_scene(const ExportOptions& options, const CLI::App& command) {
   for (std::size_t i = 0; i < std::size(kOfPython); ++i) {
     const OfPython& it = kOfPython[i];
     if (options.of_python[i].empty()) continue;
@@ -226,14 +263,22 @@ void export_scene(const ExportOptions& options) {
                   "]', then python -m mimo.export " + it.option + ' ' + options.of_python[i] + ' ' +
                   (options.recording.empty() ? it.rest : options.recording));
   }
-  if (!options.recording.empty()) throw Failure("--gltf writes a scene, not the recording " + options.recording);
-  if (options.gltf.empty()) throw CLI::RequiredError("--gltf");
+  if (!options.gltf.empty() && !options.fmu.empty()) throw Failure("--gltf and --fmu are two files; give one of them");
+  if (options.gltf.empty() && options.fmu.empty()) throw CLI::RequiredError("--gltf or --fmu");
+  if (!options.recording.empty()) {
+    throw Failure((options.fmu.empty() ? "--gltf" : "--fmu") + std::string(" writes a scene, not the recording ") +
+                  options.recording);
+  }
+  if (!options.fmu.empty()) return export_unit(options, command);
+  refuse(command, kOfUnits, "--gltf");
   require_writable(options.gltf);
-  mimo::Env env = open_bare_world(options.world, make_env_config());
+  WorldOptions asked = options.unit.world;
+  asked.touch = "off";
+  mimo::Env env = open_bare_world(asked, make_env_config());
   mimo::Block block = env.make_block();
-  env.reset(options.world.seed, block);
+  env.reset(asked.seed, block);
   GltfScene scene(env, options.segments);
-  RandomActions random(env, options.world.seed);
+  RandomActions random(env, asked.seed);
   const double step = env.timestep() * env.frame_skip();
   const auto steps = static_cast<std::uint64_t>(std::llround(options.seconds / step));
   mimo::Results results = env.make_results();
@@ -249,6 +294,10 @@ std::string check_glb(const std::string& path) {
   return has_ending(path, ".glb") ? "" : "expected a name that ends in .glb, not '" + path + "'";
 }
 
+std::string check_fmu(const std::string& path) {
+  return has_ending(path, ".fmu") ? "" : "expected a name that ends in .fmu, not '" + path + "'";
+}
+
 std::string check_segments(const std::string& text) {
   return CLI::Range(4, 256)(text).empty() && std::stoi(text) % 4 == 0 ? "" : "expected a multiple of 4 from 4 to 256";
 }
@@ -258,10 +307,14 @@ std::string check_segments(const std::string& text) {
 void add_export(CLI::App& program) {
   auto options = std::make_shared<ExportOptions>();
   CLI::App* command = program.add_subcommand("export", "Write a scene as a file for other programs");
-  add_scene_options(*command, options->world);
-  add_actuation_option(*command, options->world);
-  add_face_option(*command, options->world);
-  add_seed_option(*command, options->world);
+  add_scene_options(*command, options->unit.world);
+  add_actuation_option(*command, options->unit.world);
+  add_face_option(*command, options->unit.world);
+  add_seed_option(*command, options->unit.world);
+  add_unit_options(*command, options->unit);
+  command->add_option("--fmu", options->fmu, "A unit of FMI, for co-simulation: Simulink, Modelica, FMPy")
+      ->type_name("FILE.fmu")
+      ->check(CLI::Validator(check_fmu, ""));
   command->add_option("--gltf", options->gltf, "glTF 2.0, with textures inside: Blender, Unity, Godot, three.js")
       ->type_name("FILE.glb")
       ->check(CLI::Validator(check_glb, ""));
@@ -280,7 +333,7 @@ void add_export(CLI::App& program) {
       ->check(CLI::Validator(check_segments, ""))
       ->capture_default_str();
   command->footer("Example: mimo export --scene showroom --seconds 5 --gltf infant.glb");
-  command->callback([options] { export_scene(*options); });
+  command->callback([options, command] { export_scene(*options, *command); });
 }
 
 }  // namespace cli

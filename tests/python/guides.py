@@ -11,7 +11,7 @@ INDENTED = re.compile(r"(?:^    .*\n(?:^\n(?=    ))*)+", re.MULTILINE)
 
 # By what a program says; those that say nothing of it run with the package's own tests.
 SUITES = {
-    "files": r"\bpynwb\b|mimo\.lsl",
+    "files": r"\bpynwb\b|mimo\.lsl|\bfmpy\b",
     "ray": r"\bray\b",
     "learning": r"stable_baselines3",
     "mujoco": r"^import mujoco$",

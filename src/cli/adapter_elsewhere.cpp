@@ -1,0 +1,7 @@
+#include "cli/adapter.h"
+
+namespace cli {
+
+std::string_view unit_adapter() { return {}; }
+
+}  // namespace cli

@@ -1,0 +1,22 @@
+// modelDescription.xml of a unit of FMI.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fmi/variables.h"
+
+namespace cli {
+
+struct UnitFacts {
+  std::string name, task, token;
+  double step;  // s
+  std::uint64_t seed;
+};
+
+constexpr char kUnitIdentifier[] = "mimo";  // of the library in it
+
+std::string model_description(const UnitFacts& facts, const std::vector<Variable>& variables, int version);
+
+}  // namespace cli
