@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "motion/markers.h"
 #include "motion/motion.h"
 #include "motion/movement.h"
 #include "motion/retarget.h"
@@ -40,8 +41,12 @@ void require_short(const Movement& movement) {
 }
 
 Movement read(const FollowOptions& options, mimo::Env& env) {
-  Movement movement = has_ending(options.motion, ".bvh") ? read_skeleton(options.motion, options.skeleton, env)
-                                                         : read_movement(options.motion, options.degrees, env);
+  const auto from_file = [&] {
+    if (has_ending(options.motion, ".bvh")) return read_skeleton(options.motion, options.skeleton, env);
+    if (is_marker_file(options.motion)) return read_marker_movement(options.motion, options.skeleton, env);
+    return read_movement(options.motion, options.degrees, env);
+  };
+  Movement movement = from_file();
   require_short(movement);
   return movement;
 }
@@ -61,10 +66,11 @@ std::vector<std::string> position_names(const mimo::Env& env) {
 nlohmann::ordered_json to_json(const std::vector<PoseError>& errors, const mimo::Env& env) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const PoseError& error : errors) {
-    json[env.name(MIMO_BODY, error.body)] = {{"angle_largest", error.angle_largest},
-                                             {"angle_mean", error.angle_mean},
-                                             {"distance_largest", error.distance_largest},
-                                             {"distance_mean", error.distance_mean}};
+    json[error.point.empty() ? env.name(MIMO_BODY, error.body) : error.point] = {
+        {"angle_largest", error.angle_largest},
+        {"angle_mean", error.angle_mean},
+        {"distance_largest", error.distance_largest},
+        {"distance_mean", error.distance_mean}};
   }
   return json;
 }
@@ -74,9 +80,9 @@ void print(const std::vector<PoseError>& errors, const mimo::Env& env) {
   Table table(1);
   table.add({"body", "angle", "mean", "distance", "mean"});
   for (const PoseError& error : errors) {
-    table.add({env.name(MIMO_BODY, error.body), text("%.3g deg", error.angle_largest / kDegree),
-               text("%.3g deg", error.angle_mean / kDegree), text("%.3g mm", 1000 * error.distance_largest),
-               text("%.3g mm", 1000 * error.distance_mean)});
+    table.add({error.point.empty() ? env.name(MIMO_BODY, error.body) : error.point,
+               text("%.3g deg", error.angle_largest / kDegree), text("%.3g deg", error.angle_mean / kDegree),
+               text("%.3g mm", 1000 * error.distance_largest), text("%.3g mm", 1000 * error.distance_mean)});
   }
   table.print(std::cout);
 }
@@ -218,12 +224,20 @@ CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options) {
       .add_option("--joints", options.joints, "Also write the positions of all joints, one row a row of the movement")
       ->type_name("FILE.csv");
   command.add_flag("--degrees", options.degrees, "Angles of the table are degrees");
-  command.add_option("--map", options.skeleton.map, "BVH: lines of joint,body. Default: by usual names")
+  command
+      .add_option("--map", options.skeleton.map,
+                  "BVH: lines of joint,body; markers: of marker,point. Default: by usual names")
       ->type_name("FILE.csv");
-  command.add_option("--scale", options.skeleton.scale, "BVH: metres of its unit. Default: as long as the legs are")
+  command
+      .add_option("--scale", options.skeleton.scale,
+                  "BVH: metres of its unit; markers: what lengths are multiplied with.\nDefault: so that legs or limbs "
+                  "are as long as the infant's")
       ->type_name("M")
       ->check(number(1e-9, 1e9));
-  command.add_option("--up", options.skeleton.up, "BVH: which of its axes points up. Default: the one it stands along")
+  command
+      .add_option(
+          "--up", options.skeleton.up,
+          "Which axis of the file points up. Default: the one a BVH file's skeleton stands\nalong; z of markers")
       ->type_name("y|z")
       ->check(CLI::IsMember({"y", "z"}));
   command
@@ -236,7 +250,7 @@ CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options) {
       command
           .add_option("--motion", options.motion,
                       "Instead of a recording: joint positions, or poses of bodies, that a scene's infant follows")
-          ->type_name("FILE.csv|FILE.bvh");
+          ->type_name("FILE.csv|bvh|c3d|trc|tsv");
   for (std::size_t i = before; i < added.size(); ++i)
     command.get_option("--" + added[i]->get_single_name())->needs(motion);
   return motion;

@@ -28,6 +28,9 @@ struct BodyTrack {
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Quaterniond> orientations;
   Eigen::Vector3d pointer = Eigen::Vector3d::Zero();  // not 0: it counts only where this direction of the body points
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();   // of the point in the body's frame whose positions these are
+  std::string point;                                  // its name; "" where it is the body itself
+  std::vector<bool> seen;                             // in which rows the position is known; empty: in all
 };
 
 struct Movement {

@@ -22,6 +22,11 @@ Eigen::Quaterniond turn(const Eigen::Vector3d& axis_angle) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis_angle / angle));
 }
 
+std::size_t rows_seen(const BodyTrack& track) {
+  if (track.seen.empty()) return track.positions.size();
+  return static_cast<std::size_t>(std::count(track.seen.begin(), track.seen.end(), true));
+}
+
 class Fit {
  public:
   Fit(const Movement& movement, mimo::Env& env);
@@ -55,6 +60,8 @@ class Fit {
   std::vector<Joint> joints_;                  // that are looked for
   std::vector<std::array<double, 2>> ranges_;  // of each, or infinite
   std::vector<Eigen::Vector3d> pointers_;      // of each body, where it points now
+  std::vector<Eigen::Vector3d> arms_;          // and where its point lies from its origin
+  std::vector<bool> seen_;                     // and whether that is known in this row
   Eigen::Index freedom_ = 0, values_ = 0;
   // Rows of differences: of each body's orientation and place, and of the joints' limits; -1 where there are none.
   std::vector<Eigen::Index> turns_at_, places_at_;
@@ -69,10 +76,12 @@ Fit::Fit(const Movement& movement, mimo::Env& env) : movement_(movement), env_(e
     bodies_.push_back(track.body);
     turns_at_.push_back(track.orientations.empty() ? -1 : take_rows(3));
     places_at_.push_back(track.positions.empty() ? -1 : take_rows(3));
-    errors_.push_back({track.body});
+    errors_.push_back({track.body, track.point});
   }
   choose_joints();
   pointers_.resize(bodies_.size());
+  arms_.resize(bodies_.size());
+  seen_.resize(bodies_.size());
   if (movement.of_another) limits_at_ = take_rows(static_cast<Eigen::Index>(joints_.size()));
 }
 
@@ -121,7 +130,10 @@ Eigen::VectorXd Fit::differences(std::size_t row, const std::vector<double>& pos
           whole ? wanted * now.conjugate() : Eigen::Quaterniond::FromTwoVectors(pointers_[i], wanted * told.pointer));
     }
     if (places_at_[i] >= 0) {
-      all.segment<3>(places_at_[i]) = kPerMetre * (told.positions[row] - Eigen::Vector3d(pose[0], pose[1], pose[2]));
+      arms_[i] = Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6]) * told.offset;
+      seen_[i] = told.seen.empty() || told.seen[row];
+      const Eigen::Vector3d now = Eigen::Vector3d(pose[0], pose[1], pose[2]) + arms_[i];
+      all.segment<3>(places_at_[i]) = (seen_[i] ? kPerMetre : 0) * (told.positions[row] - now);
     }
   }
   for (std::size_t i = 0; limits_at_ >= 0 && i < joints_.size(); ++i) {
@@ -159,7 +171,9 @@ Eigen::VectorXd Fit::movements(const std::vector<double>& velocities) const {
     if (turns_at_[i] >= 0) {
       all.segment<3>(turns_at_[i]) = angular - pointers_[i].dot(angular) * pointers_[i];
     }
-    if (places_at_[i] >= 0) all.segment<3>(places_at_[i]) = kPerMetre * linear;
+    if (places_at_[i] >= 0 && seen_[i]) {
+      all.segment<3>(places_at_[i]) = kPerMetre * (linear + angular.cross(arms_[i]));
+    }
   }
   return all;
 }
@@ -272,7 +286,7 @@ void Fit::note(std::size_t row, const std::vector<double>& positions) {
     if (places_at_[i] >= 0) {
       const double distance = left.segment<3>(places_at_[i]).norm() / kPerMetre;
       error.distance_largest = std::max(error.distance_largest, distance);
-      error.distance_mean += share * distance;
+      error.distance_mean += distance / static_cast<double>(rows_seen(movement_.bodies[i]));
     }
   }
 }

@@ -306,7 +306,11 @@ Movement Retarget::movement() const {
   movement.source = path_;
   movement.of_another = true;
   movement.notes = notes_;
-  for (const Pair& pair : pairs_) movement.bodies.push_back({pair.body, {}, {}, pair.pointer});
+  for (const Pair& pair : pairs_) {
+    movement.bodies.emplace_back();
+    movement.bodies.back().body = pair.body;
+    movement.bodies.back().pointer = pair.pointer;
+  }
   const Pair* const hip = pair_of("hip");
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   for (std::size_t frame = 0; frame < bvh_.frames.size(); ++frame) {

@@ -15,6 +15,7 @@ namespace cli {
 // How far a body is from where it was told to be, because its joints cannot follow.
 struct PoseError {
   std::int32_t body;
+  std::string point;                               // of it, "" for its origin
   double angle_largest = 0, angle_mean = 0;        // rad
   double distance_largest = 0, distance_mean = 0;  // m
 };
