@@ -13,6 +13,27 @@ namespace {
 
 std::uint32_t channel(std::uint32_t texel, int k) { return (texel >> (8 * k)) & 255U; }
 
+// The two texels of a row between which the middle of a texel of a shorter row lies, and how near it is to the second.
+struct Middle {
+  int first, second;
+  float share;
+};
+
+class Middles {
+ public:
+  Middles(int from, int to) : from_(from), scale_(static_cast<float>(from) / static_cast<float>(to)) {}
+
+  Middle of(int i) const {
+    const float place = (static_cast<float>(i) + 0.5F) * scale_ - 0.5F;
+    const int first = std::clamp(static_cast<int>(std::floor(place)), 0, from_ - 1);
+    return {first, std::min(first + 1, from_ - 1), std::max(place - static_cast<float>(first), 0.0F)};
+  }
+
+ private:
+  int from_;
+  float scale_;
+};
+
 // One level of a texture, or of a face of a cube: the texels within its border.
 class Level {
  public:
@@ -43,24 +64,24 @@ class Level {
     }
   }
 
-  // Each texel becomes the mean of the larger level's texels that it covers: two a side, or three at an odd edge.
+  // Each texel becomes what lies in the middle of the larger level's texels that it covers, as graphics cards and Mesa
+  // have it: the mean of two a side, or at odd sizes of the two nearest to the middle, by how near they are.
   void shrink(const Level& from) const {
     if (from.width_ == 2 * width_ && from.height_ == 2 * height_) return halve(from);
+    const Middles across(from.width_, width_), down(from.height_, height_);
     for (int y = 0; y < height_; ++y) {
-      const int y0 = y * from.height_ / height_;
-      const int y1 = std::max(y0 + 1, (y + 1) * from.height_ / height_);
+      const Middle v = down.of(y);
       for (int x = 0; x < width_; ++x) {
-        const int x0 = x * from.width_ / width_;
-        const int x1 = std::max(x0 + 1, (x + 1) * from.width_ / width_);
-        std::uint32_t sum[3] = {0, 0, 0};
-        for (int v = y0; v < y1; ++v) {
-          for (int u = x0; u < x1; ++u) {
-            for (int k = 0; k < 3; ++k) sum[k] += channel(from.at(u, v), k);
-          }
-        }
-        const std::uint32_t count = static_cast<std::uint32_t>((y1 - y0) * (x1 - x0));
+        const Middle u = across.of(x);
         std::uint32_t texel = 0;
-        for (int k = 0; k < 3; ++k) texel |= ((sum[k] + count / 2) / count) << (8 * k);
+        for (int k = 0; k < 3; ++k) {
+          const auto mixed = [&](int row) {
+            const auto first = static_cast<float>(channel(from.at(u.first, row), k));
+            return first + u.share * (static_cast<float>(channel(from.at(u.second, row), k)) - first);
+          };
+          const float first = mixed(v.first);
+          texel |= static_cast<std::uint32_t>(first + v.share * (mixed(v.second) - first) + 0.5F) << (8 * k);
+        }
         at(x, y) = texel;
       }
     }
