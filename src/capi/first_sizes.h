@@ -45,7 +45,7 @@ MIMO_FIRST_SIZE(mimo_stage_materials, 80);
 MIMO_FIRST_SIZE(mimo_stage_surfaces, 160);
 MIMO_FIRST_SIZE(mimo_stage_tendons, 48);
 MIMO_FIRST_SIZE(mimo_stage_lights, 88);
-MIMO_FIRST_SIZE(mimo_stage_air, 112);
+MIMO_FIRST_SIZE(mimo_stage_air, 120);
 MIMO_FIRST_SIZE(mimo_stage_config, 104);
 MIMO_FIRST_SIZE(mimo_stage_poses, 224);
 MIMO_FIRST_SIZE(mimo_stage_view, 168);

@@ -216,7 +216,9 @@ void lay(Mesh& mesh, const render::TextureMapping& mapping, const TextureSize& s
   if (mapping.kind != render::Mapping::kFlat) return;
   for (Vertex& vertex : mesh.vertices) {
     for (int k = 0; k < 2; ++k) {
-      vertex.texture[k] = vertex.place[k] * static_cast<double>(mapping.scale[static_cast<std::size_t>(k)]) - 0.5;
+      const auto i = static_cast<std::size_t>(k);
+      vertex.texture[k] =
+          vertex.place[k] * static_cast<double>(mapping.scale[i]) + static_cast<double>(mapping.origin[i]);
     }
   }
 }

@@ -264,8 +264,8 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
                                   Repeated(surface.texture(1)), LevelOf(hn::Max(spread(steps.x), spread(steps.y)))));
   }
   if (!cube) {
-    const V u = Repeated(p.x * Set(material.mapping.scale[0]) - Set(0.5F));
-    const V v = Repeated(p.y * Set(material.mapping.scale[1]) - Set(0.5F));
+    const V u = Repeated(p.x * Set(material.mapping.scale[0]) + Set(material.mapping.origin[0]));
+    const V v = Repeated(p.y * Set(material.mapping.scale[1]) + Set(material.mapping.origin[1]));
     // On a plane, a pixel is stretched by t |ray|^2 / height at most: near parts need not ask further.
     if (kKind == Form::kPlane && All(hn::Lt(t, Set(subject.sharp)))) {
       return Unpacked(FilterLarge<false>(frame.texels, texture, hn::Zero(DI()), u, v));

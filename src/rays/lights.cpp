@@ -83,7 +83,7 @@ void Lights::gather(const render::Stage& stage, const render::Poses& poses, cons
   }
   sum_up();
   turn_to_solids(solids);
-  cast_shadows(solids, camera);
+  cast_shadows(solids, camera, stage.air.sun_reach);
 }
 
 // What shading would else find out anew for every pixel.
@@ -111,15 +111,18 @@ void Lights::turn_to_solids(const Solids& solids) {
   }
 }
 
-void Lights::cast_shadows(const Solids& solids, const Camera& camera) {
+void Lights::cast_shadows(const Solids& solids, const Camera& camera, double sun_reach) {
   for (int k = 0; k < caster_count_; ++k) {
     Caster& eye = casters_[k];
     eye.count = 0;
     eye.reach = eye.wide = eye.high = std::numeric_limits<double>::max();
+    const bool sun = eye.rays == Rays::kParallel, near_by = sun && sun_reach > 0;
+    if (near_by) eye.wide = eye.high = sun_reach;
     for (int i = 0; i < solids.count(); ++i) {
       if (never_shades(solids[i], eye, camera)) continue;
-      // MuJoCo lets transparent things cast shadows, too. A light of parallel rays shines from infinitely far away.
-      eye.look_at(solids[i], i, eye.rays == Rays::kParallel ? -kEverywhere : 0.0);
+      // MuJoCo lets transparent things cast shadows, too. A light of parallel rays shines from infinitely far away,
+      // unless its shadows have a reach.
+      eye.look_at(solids[i], i, sun && !near_by ? -kEverywhere : 0.0);
     }
     for (int i = 0; i < eye.count; ++i) eye.aspects[i].self = camera.seen[eye.aspects[i].solid];
     const auto turn = [&eye](const Vec& v) { return narrow(seen_from(eye.axes, v)); };

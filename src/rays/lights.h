@@ -58,7 +58,7 @@ class Lights {
  private:
   void sum_up();
   void turn_to_solids(const Solids& solids);
-  void cast_shadows(const Solids& solids, const Camera& camera);
+  void cast_shadows(const Solids& solids, const Camera& camera, double sun_reach);
 
   std::array<Light, kMaxLights> lights_;
   int count_ = 0;

@@ -34,7 +34,9 @@ class PlaneMap {
         tile_(tile),
         smooth_(smooth),
         scale_x_(material.mapping.scale[0]),
-        scale_y_(material.mapping.scale[1]) {
+        scale_y_(material.mapping.scale[1]),
+        origin_x_(material.mapping.origin[0]),
+        origin_y_(material.mapping.origin[1]) {
     for (int k = 0; k < 3; ++k) {
       for (int column = 0; column < kTile; ++column) across_[k][column] = aspect.bx[k] * tile.x[column];
     }
@@ -53,8 +55,8 @@ class PlaneMap {
     HWY_INLINE void at(int column, V& u, V& v) const {
       const std::array<float, 3>& o = map_.aspect_.o;
       const V t = Set(0.0F - o[2]) / along(2, column);
-      u = Repeated((Set(o[0]) + along(0, column) * t) * Set(map_.scale_x_) - Set(0.5F));
-      v = Repeated((Set(o[1]) + along(1, column) * t) * Set(map_.scale_y_) - Set(0.5F));
+      u = Repeated((Set(o[0]) + along(0, column) * t) * Set(map_.scale_x_) + Set(map_.origin_x_));
+      v = Repeated((Set(o[1]) + along(1, column) * t) * Set(map_.scale_y_) + Set(map_.origin_y_));
     }
     HWY_INLINE V level(int column) const { return At(map_.smooth_.level, row_, map_.smooth_.across(column)); }
 
@@ -70,7 +72,7 @@ class PlaneMap {
   const Aspect& aspect_;
   const Tile& tile_;
   const Smooth& smooth_;
-  const float scale_x_, scale_y_;
+  const float scale_x_, scale_y_, origin_x_, origin_y_;
   alignas(64) float across_[3][kTile];
 };
 

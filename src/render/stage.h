@@ -52,6 +52,7 @@ struct Materials {
   int texture_stride = 1;          // from one material to the next
   const float* repeats = nullptr;  // 2
   const unsigned char* uniform = nullptr;
+  bool from_corner = false;  // flat textures begin at a corner of a shape, not in its middle
 };
 
 enum TextureType : int { kFlatTexture = 0, kCubeTexture = 1, kSkyTexture = 2 };
@@ -118,6 +119,7 @@ struct Air {
   const float* ambient = nullptr;  // of the headlight
   const float* diffuse = nullptr;
   const float* specular = nullptr;
+  double sun_reach = 0;  // of the shadows of parallel light, from its position and axis; 0: everywhere
 };
 
 struct Stage {

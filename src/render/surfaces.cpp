@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -114,6 +115,7 @@ TextureMapping map_texture(const Materials& materials, int material, bool cube, 
       if (shape.prescaled && shape.size[k] > 0) repeat /= shape.size[k];
       if (uniform && scale[k] > 0) repeat *= scale[k];
       mapping.scale[k] = (k == 0 ? 0.5F : -0.5F) * (shape.prescaled ? repeat : over(repeat, scale[k]));
+      if (materials.from_corner && scale[k] > 0) mapping.origin[k] = std::abs(mapping.scale[k]) * scale[k];
     }
   } else {
     mapping.kind = Mapping::kCube;

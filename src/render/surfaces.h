@@ -58,9 +58,10 @@ struct Shape {
 // From a place in the shape's frame to one in the texture.
 struct TextureMapping {
   Mapping kind = Mapping::kNone;
-  // Flat: s = scale[0] x - 1/2, t = scale[1] y - 1/2. Cube: direction = scale * (x, y, z), where the part of z beyond
-  // `fold` (the round ends of a capsule) is scaled by scale[3].
+  // Flat: s = scale[0] x + origin[0], t = scale[1] y + origin[1]. Cube: direction = scale * (x, y, z), where the part
+  // of z beyond `fold` (the round ends of a capsule) is scaled by scale[3].
   std::array<float, 4> scale{};
+  std::array<float, 2> origin{-0.5F, -0.5F};
   float fold = 0;
 };
 

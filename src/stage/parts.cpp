@@ -56,6 +56,8 @@ Materials::Materials(const mimo_stage_materials& given) {
   repeats = arrays.copy_or<float>(given.repeats, "repeats", {1, 1});
   arrays.check(repeats.data(), "repeats", 2, -kMostNumber, kMostNumber, "-1e6 to 1e6");
   uniform = arrays.copy_or<unsigned char>(given.uniform, "uniform", {0});
+  require(given.from_corner <= 1, "materials: from_corner is {}, expected 0 or 1", given.from_corner);
+  from_corner = given.from_corner != 0;
 }
 
 render::Materials Materials::view() const {
@@ -69,6 +71,7 @@ render::Materials Materials::view() const {
   view.textures = textures.data();
   view.repeats = repeats.data();
   view.uniform = uniform.data();
+  view.from_corner = from_corner;
   return view;
 }
 
@@ -149,6 +152,7 @@ void check_air(const mimo_stage_air& air) {
   check("fog_start", air.fog_start, 0, kFarthest, kLength);
   check("fog_end", air.fog_end, 0, kFarthest, kLength);
   check("haze", air.haze, 0, 1, kShare);
+  check("sun_reach", air.sun_reach, 0, kFarthest, kLength);
   const Arrays three("air", 1);
   three.check(air.fog_color, "fog_color", 3, 0, kMostNumber, kColor);
   three.check(air.haze_color, "haze_color", 3, 0, kMostNumber, kColor);
@@ -236,6 +240,7 @@ render::Stage Parts::view() const {
   air.ambient = air_.ambient;
   air.diffuse = air_.diffuse;
   air.specular = air_.specular;
+  air.sun_reach = air_.sun_reach;
   return stage;
 }
 

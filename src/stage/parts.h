@@ -33,6 +33,7 @@ struct Materials {
   std::vector<float> colors, emission, specular, shininess, reflectance, repeats;
   std::vector<int> textures;
   std::vector<unsigned char> uniform;
+  bool from_corner = false;
 };
 
 struct Lights {

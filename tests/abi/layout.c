@@ -505,7 +505,7 @@ MEMBER(mimo_stage_textures, pixel_bytes, 56, 8);
 
 _Static_assert(sizeof(mimo_stage_materials) == 80, "mimo_stage_materials");
 MEMBER(mimo_stage_materials, struct_size, 0, 4);
-MEMBER(mimo_stage_materials, reserved, 4, 4);
+MEMBER(mimo_stage_materials, from_corner, 4, 4);
 MEMBER(mimo_stage_materials, count, 8, 8);
 MEMBER(mimo_stage_materials, colors, 16, 8);
 MEMBER(mimo_stage_materials, emission, 24, 8);
@@ -562,7 +562,7 @@ MEMBER(mimo_stage_lights, attenuation, 64, 8);
 MEMBER(mimo_stage_lights, cutoff, 72, 8);
 MEMBER(mimo_stage_lights, exponent, 80, 8);
 
-_Static_assert(sizeof(mimo_stage_air) == 112, "mimo_stage_air");
+_Static_assert(sizeof(mimo_stage_air) == 120, "mimo_stage_air");
 MEMBER(mimo_stage_air, struct_size, 0, 4);
 MEMBER(mimo_stage_air, headlight, 4, 4);
 MEMBER(mimo_stage_air, near_plane, 8, 8);
@@ -576,6 +576,7 @@ MEMBER(mimo_stage_air, ambient, 72, 12);
 MEMBER(mimo_stage_air, diffuse, 84, 12);
 MEMBER(mimo_stage_air, specular, 96, 12);
 MEMBER(mimo_stage_air, reserved, 108, 4);
+MEMBER(mimo_stage_air, sun_reach, 112, 8);
 
 _Static_assert(sizeof(mimo_stage_config) == 104, "mimo_stage_config");
 MEMBER(mimo_stage_config, struct_size, 0, 4);

@@ -708,6 +708,11 @@ namespace Mimo
         /// <summary>Height of the haze at the horizon, a share of the sky, 0 to 1. Default .3.</summary>
         public double Haze { get { return raw.haze; } set { raw.haze = value; } }
 
+        /// <summary>m: lights of parallel rays let things cast shadows that are in front of their position and no
+        /// farther from their axis, to each side, as the shadow maps of MuJoCo's OpenGL do; 0 (default): all
+        /// things.</summary>
+        public double SunReach { get { return raw.sun_reach; } set { raw.sun_reach = value; } }
+
         /// <summary>The struct, valid as long as the parts.</summary>
         internal StageAirStruct Raw(PinnedParts parts)
         {

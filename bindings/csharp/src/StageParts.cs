@@ -202,6 +202,10 @@ namespace Mimo
     /// <summary>Materials. Numbers are 0 to 1 where nothing else is said.</summary>
     public sealed class StageMaterials
     {
+        /// <summary>Where a flat texture begins on a shape without texture coordinates. 0: in the middle, as up to
+        /// MuJoCo 3.11. 1: at the end of -x and +y, except on endless planes, as from MuJoCo 3.12 on.</summary>
+        public uint FromCorner { get; set; }
+
         /// <summary>count x 4: red, green, blue, opacity; multiplied with the texture.</summary>
         public float[] Colors { get; set; }
 
@@ -231,6 +235,7 @@ namespace Mimo
         internal StageMaterialsStruct Raw(PinnedParts parts)
         {
             var filled = StageMaterialsStruct.New();
+            filled.from_corner = FromCorner;
             filled.colors = parts.Keep(Colors);
             filled.emission = parts.Keep(Emission);
             filled.specular = parts.Keep(Specular);

@@ -945,7 +945,7 @@ namespace Mimo
     internal partial struct StageMaterialsStruct
     {
         internal uint struct_size;
-        internal uint reserved;
+        internal uint from_corner;
         internal UIntPtr count;
         internal IntPtr colors;
         internal IntPtr emission;
@@ -1056,8 +1056,9 @@ namespace Mimo
         internal Floats3 diffuse;
         internal Floats3 specular;
         internal uint reserved;
+        internal double sun_reach;
 
-        internal const uint Bytes = 112;
+        internal const uint Bytes = 120;
 
         internal static StageAirStruct New()
         {

@@ -128,7 +128,7 @@ internal static partial class Tests
             "struct_size 0 4, reserved 4 4, count 8 8, types 16 8, widths 24 8, heights 32 8, channels 40 8, pixels " +
             "48 8, pixel_bytes 56 8" },
         { typeof(StageMaterialsStruct), "80: " +
-            "struct_size 0 4, reserved 4 4, count 8 8, colors 16 8, emission 24 8, specular 32 8, shininess 40 8, " +
+            "struct_size 0 4, from_corner 4 4, count 8 8, colors 16 8, emission 24 8, specular 32 8, shininess 40 8, " +
             "reflectance 48 8, textures 56 8, repeats 64 8, uniform 72 8" },
         { typeof(StageSurfacesStruct), "160: " +
             "struct_size 0 4, reserved 4 4, count 8 8, vertex_counts 16 8, element_counts 24 8, corners 32 8, " +
@@ -140,9 +140,10 @@ internal static partial class Tests
         { typeof(StageLightsStruct), "88: " +
             "struct_size 0 4, reserved 4 4, count 8 8, types 16 8, active 24 8, casts_shadow 32 8, ambient 40 8, " +
             "diffuse 48 8, specular 56 8, attenuation 64 8, cutoff 72 8, exponent 80 8" },
-        { typeof(StageAirStruct), "112: " +
+        { typeof(StageAirStruct), "120: " +
             "struct_size 0 4, headlight 4 4, near_plane 8 8, far_plane 16 8, fog_start 24 8, fog_end 32 8, haze 40 8, " +
-            "fog_color 48 12, haze_color 60 12, ambient 72 12, diffuse 84 12, specular 96 12, reserved 108 4" },
+            "fog_color 48 12, haze_color 60 12, ambient 72 12, diffuse 84 12, specular 96 12, reserved 108 4, " +
+            "sun_reach 112 8" },
         { typeof(StageConfigStruct), "104: " +
             "struct_size 0 4, threads 4 4, geoms 8 8, sites 16 8, meshes 24 8, fields 32 8, textures 40 8, materials " +
             "48 8, surfaces 56 8, tendons 64 8, lights 72 8, air 80 8, log 88 8, log_user 96 8" },

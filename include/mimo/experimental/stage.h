@@ -107,7 +107,9 @@ typedef struct mimo_stage_textures {
 /** Materials. Numbers are 0 to 1 where nothing else is said. */
 typedef struct mimo_stage_materials {
   uint32_t struct_size;     /**< sizeof(mimo_stage_materials), set by the caller. */
-  uint32_t reserved;        /**< 0. */
+  uint32_t from_corner;     /**< Where a flat texture begins on a shape without texture coordinates. 0: in the middle, as
+                                 up to MuJoCo 3.11. 1: at the end of -x and +y, except on endless planes, as from
+                                 MuJoCo 3.12 on. */
   size_t count;             /**< How many. */
   const float *colors;      /**< count x 4: red, green, blue, opacity; multiplied with the texture. */
   const float *emission;    /**< count: share of its colour that it emits; NULL: 0. */
@@ -202,6 +204,9 @@ typedef struct mimo_stage_air {
   float diffuse[3];     /**< Likewise. Default .4. */
   float specular[3];    /**< Likewise. Default .5. */
   uint32_t reserved;    /**< 0. */
+  double sun_reach;     /**< m: lights of parallel rays let things cast shadows that are in front of their position and
+                             no farther from their axis, to each side, as the shadow maps of MuJoCo's OpenGL do; 0
+                             (default): all things. */
 } mimo_stage_air;
 
 /**

@@ -749,7 +749,7 @@ class StageMaterials(Struct):
 
     _fields_ = [
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("from_corner", c_uint32),
         ("count", c_size_t),
         ("colors", c_void_p),
         ("emission", c_void_p),
@@ -841,6 +841,7 @@ class StageAir(Struct):
         ("diffuse", c_float * 3),
         ("specular", c_float * 3),
         ("reserved", c_uint32),
+        ("sun_reach", c_double),
     ]
 
 

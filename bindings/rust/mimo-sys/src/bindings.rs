@@ -2283,8 +2283,9 @@ pub struct mimo_stage_textures {
 pub struct mimo_stage_materials {
     /// sizeof(mimo_stage_materials), set by the caller.
     pub struct_size: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Where a flat texture begins on a shape without texture coordinates. 0: in the middle, as up to MuJoCo 3.11. 1:
+    /// at the end of -x and +y, except on endless planes, as from MuJoCo 3.12 on.
+    pub from_corner: u32,
     /// How many.
     pub count: usize,
     /// count x 4: red, green, blue, opacity; multiplied with the texture.
@@ -2446,6 +2447,9 @@ pub struct mimo_stage_air {
     pub specular: [f32; 3],
     /// 0.
     pub reserved: u32,
+    /// m: lights of parallel rays let things cast shadows that are in front of their position and no farther from
+    /// their axis, to each side, as the shadow maps of MuJoCo's OpenGL do; 0 (default): all things.
+    pub sun_reach: f64,
 }
 
 /// What a stage is made of. A part that is NULL has no elements; air then has its defaults.

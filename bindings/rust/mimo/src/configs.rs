@@ -1112,6 +1112,13 @@ impl StageAir {
         self.raw.specular = specular;
         self
     }
+
+    /// m: lights of parallel rays let things cast shadows that are in front of their position and no farther from
+    /// their axis, to each side, as the shadow maps of MuJoCo's OpenGL do; 0 (default): all things.
+    pub fn sun_reach(&mut self, sun_reach: f64) -> &mut Self {
+        self.raw.sun_reach = sun_reach;
+        self
+    }
 }
 
 /// What is recorded, and how.

@@ -192,6 +192,9 @@ impl StageTextures<'_> {
 /// Experimental.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StageMaterials<'a> {
+    /// Where a flat texture begins on a shape without texture coordinates. 0: in the middle, as up to MuJoCo 3.11. 1:
+    /// at the end of -x and +y, except on endless planes, as from MuJoCo 3.12 on.
+    pub from_corner: u32,
     /// count x 4: red, green, blue, opacity; multiplied with the texture.
     pub colors: &'a [f32],
     /// count: share of its colour that it emits; empty: 0.
@@ -214,6 +217,7 @@ pub struct StageMaterials<'a> {
 impl StageMaterials<'_> {
     pub(crate) fn raw(&self) -> Result<sys::mimo_stage_materials> {
         let mut raw: sys::mimo_stage_materials = sized();
+        raw.from_corner = self.from_corner;
         raw.colors = array(self.colors);
         raw.emission = array(self.emission);
         raw.specular = array(self.specular);
