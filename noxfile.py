@@ -116,4 +116,12 @@ def mujoco(session: nox.Session) -> None:
     library = ROOT / "build-mujoco4/lib/libmimo-mujoco4.so"
     sources = ROOT / "bindings/python/src"
     session.env.update(MIMO_LIBRARY=str(library), PYTHONPATH=str(sources))
-    check(session, guides="mujoco")
+    check(session, "renderer", "use_rays", guides="mujoco")
+
+
+@nox.session
+@nox.parametrize("mujoco", ["2.3", "3.1", "3.3", "3.10"])
+def mujocos(session: nox.Session, mujoco: str) -> None:
+    """mimo.Renderer with earlier versions of the package mujoco, and with no other package than NumPy."""
+    install(session, f"mujoco-{mujoco}")
+    check(session, "renderer")

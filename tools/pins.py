@@ -12,6 +12,7 @@ from .shell import BUILD, PYTHON, ROOT, fail, fresh, must, run
 LISTS = ROOT / "tools/pins"
 PINS = tomllib.loads((ROOT / "tools/pins.toml").read_text())
 EARLIER = ("gymnasium-0.28", "gymnasium-0.29")  # what environments are tested with besides the newest
+MUJOCOS = ("mujoco-2.3", "mujoco-3.1", "mujoco-3.3", "mujoco-3.10")  # likewise mimo.Renderer
 PIP = {"PIP_DISABLE_PIP_VERSION_CHECK": 1}
 
 
@@ -72,7 +73,7 @@ def renew(keep):
         place = ("--python-platform", platform) if platform else ("--universal",)
         run(*uv, *place, "--python-version", python, *files, "-o", f"{pins}{name}.txt")
 
-    for name in ("tools", "conan", "zig", "lint", "site", "train", *EARLIER):
+    for name in ("tools", "conan", "zig", "lint", "site", "train", *EARLIER, *MUJOCOS):
         compile_list(name, f"{pins}{name}.in")
     # pip asks the Python that runs it about conditions, so each Python that it installs for has a list without any.
     for python in ("3.9", "3.11", "3.13"):

@@ -63,7 +63,7 @@ def test_python():
 
 def test_pythons():
     wheel()
-    sessions("versions")
+    sessions("versions", "mujocos")
 
 
 def test_view():

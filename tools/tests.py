@@ -63,7 +63,7 @@ PARTS = {
     "asan-rooms": (lambda: test_sanitized("asan-rooms"), "--asan, with the tests of rooms"),
     "tsan": (lambda: run_workflow("tsan"), "what uses threads, with the sanitizer for races"),
     "avx": (test_avx, "--quick on the faster build of MuJoCo"),
-    "pythons": (test_pythons, "the Python package on each supported version that is installed"),
+    "pythons": (test_pythons, "the Python package on each version of Python that is installed, and of MuJoCo"),
     "view": (test_view, "the viewer in a headless browser, Rerun, USD; needs chromium"),
     "ray": (test_ray, "worlds and learning on clusters of local nodes, of which one is killed; installs Ray"),
     "linux": (test_linux, "the build for any Linux: C tests, wheel in Debian 11 and 13"),

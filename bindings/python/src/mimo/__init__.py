@@ -44,10 +44,12 @@ from .own_task import Moment, WorldTask
 from .recorder import Recorder
 from .recordings import Recording, ReplayReport
 from .registration import register_when_imported
+from .renderer import Renderer
 from .results import StepResult
 from .scene import Scene, faces, materials, rooms, scenes, tasks
 from .selection import Selection
 from .senses import Senses
+from .stage import Stage, StagePicture, StageView
 from .states import LoadReport
 from .tasks import GoalTask, Judgement, Task
 from .world import World
@@ -111,11 +113,15 @@ __all__ = [
     "ReplayReport",
     "Receptors",
     "RenderError",
+    "Renderer",
     "Scene",
     "Sense",
     "Senses",
     "Selection",
     "SimulationError",
+    "Stage",
+    "StagePicture",
+    "StageView",
     "StepResult",
     "Task",
     "TaskError",
