@@ -136,6 +136,7 @@ def make_packages(for_all=False):
     package_debian()
     package_sources()
     if for_all:
+        fresh(WHEELS)  # may have a wheel for this system alone
         for system in systems.ALL:
             wheel_for(system)
         wheel_for_mujoco4()
