@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "base/span.h"
 #include "sound/air.h"
@@ -26,7 +27,7 @@ void put(Complexes& to, std::size_t at, float real, float imag, float cosine, fl
 constexpr double kLowest = 100, kHighest = 7200;  // Hz
 constexpr double kPhaseLimit = 1500;              // Hz, above which the ears' phases are not compared
 
-double band_number(double frequency) { return 21.4 * std::log10(1 + 0.00437 * frequency); }
+double band_number(double frequency) { return 21.4 * log_10(1 + 0.00437 * frequency); }
 double frequency_of(double number) { return (std::pow(10, number / 21.4) - 1) / 0.00437; }
 
 // Power of a filter of the inner ear at a distance in hertz: gammatone of fourth order.
@@ -169,7 +170,7 @@ Heard Bands::hear(const std::array<std::array<float, kWindow>, kEars>& samples) 
     for (std::size_t band = 0; band < kBands; ++band) {
       const float sum = sum_of(bands_[band], power);
       if (!(sum > bands_[band].least)) continue;
-      const double level = 10 * std::log10(static_cast<double>(sum) / (sound::kReference * sound::kReference));
+      const double level = 10 * log_10(static_cast<double>(sum) / (sound::kReference * sound::kReference));
       heard.levels[ear][band] = static_cast<float>(std::max(0.0, level - bands_[band].threshold));
       low = low || (heard.levels[ear][band] > 0 && bands_[band].low);
     }

@@ -49,7 +49,7 @@ Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), cli
     double loudest = 0;
     for (std::size_t ear = 0; ear < kEars; ++ear) {
       const std::complex<double> heard = mode.gain * ways[ear].gain * sound::response(ways[ear], mode.frequency);
-      amplitude_[ear][modes_] = std::abs(heard);
+      amplitude_[ear][modes_] = length_of(heard.real(), heard.imag());
       phase_[ear][modes_] = std::arg(heard);
       loudest = std::max(loudest, amplitude_[ear][modes_]);
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
+
 namespace mimo::receptors {
 namespace {
 
@@ -154,7 +156,7 @@ void Spindle::load(ByteReader& from) {
   ease_ = {};
 }
 
-double TendonOrgan::steady_rate(double share) { return kGain * std::log1p(kScale * std::max(0.0, share)); }
+double TendonOrgan::steady_rate(double share) { return kGain * log_of_1_plus(kScale * std::max(0.0, share)); }
 
 void TendonOrgan::rest(double share) {
   drive_ = steady_rate(share);

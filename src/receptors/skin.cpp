@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/functions.h"
+
 namespace mimo::receptors {
 namespace {
 
@@ -168,7 +170,7 @@ Eight warm_rates(const Eight& temperature, const Eight& change) {
 
 double contact_pressure(double force, double radius) {
   if (!(force > 0) || !(radius > 0)) return 0;
-  const double patch = std::cbrt(3 * force * radius / (4 * kSoftness));
+  const double patch = cube_root(3 * force * radius / (4 * kSoftness));
   return force / (kPi * patch * patch);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "sound/air.h"
 
@@ -44,9 +45,9 @@ ClickWave::ClickWave(const Click& click) : click_(click), turn_(kPi / click.dura
   using Complex = std::complex<double>;
   const double settling = click.settling;
   const Complex s(0, turn_), pole(-1 / settling, 1 / settling);
-  const Complex lasting = (1.0 + s / kSpeed) / (2.0 + 2.0 * s * settling + s * s * settling * settling);
-  const Complex dying =
-      (1.0 + pole / kSpeed) * turn_ / ((pole * pole + turn_ * turn_) * settling * settling * Complex(0, 2 / settling));
+  const Complex lasting = quotient(1.0 + s / kSpeed, 2.0 + 2.0 * s * settling + s * s * settling * settling);
+  const Complex dying = quotient((1.0 + pole / kSpeed) * turn_,
+                                 (pole * pole + turn_ * turn_) * settling * settling * Complex(0, 2 / settling));
   lasting_ = {click.scale * lasting.real(), click.scale * lasting.imag()};
   dying_ = {2 * click.scale * dying.real(), 2 * click.scale * dying.imag()};
 }

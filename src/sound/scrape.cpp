@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "sound/air.h"
 
@@ -18,7 +19,7 @@ constexpr double kMost = 1e15;                  // steps of the surface, that a 
 
 // The radius of the patch where they touch (Hertz), m.
 double patch(const Struck& a, const Struck& b, double force, double curvature) {
-  return std::cbrt(0.75 * force * (compliance(a.solid) + compliance(b.solid)) / curvature);
+  return cube_root(0.75 * force * (compliance(a.solid) + compliance(b.solid)) / curvature);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "sound/air.h"
 
@@ -69,7 +70,7 @@ bool can_be(const Way& way) {
 std::complex<double> response(const Way& way, double frequency) {
   const SphereFilter& f = way.filter;
   const std::complex<double> s(0, 2 * kPi * frequency * way.size);
-  return (f.still + s * (f.b1 + s * f.b2)) / (1.0 + s * (f.a1 + s * f.a2));
+  return quotient(f.still + s * (f.b1 + s * f.b2), 1.0 + s * (f.a1 + s * f.a2));
 }
 
 // The bilinear transform would shift what happens at 4 kHz to 3.2. Instead the poles go where they belong, and the
@@ -79,10 +80,11 @@ Coefficients coefficients(const Way& way, double rate) {
   const SphereFilter& f = way.filter;
   if (f.a2 <= 0 || way.size <= 0) return {};
   const double tick = 1 / (rate * way.size);
-  const std::complex<double> root = std::sqrt(std::complex<double>(f.a1 * f.a1 - 4 * f.a2, 0));
-  const std::complex<double> one = std::exp(tick * (-f.a1 + root) / (2 * f.a2));
-  const std::complex<double> other = std::exp(tick * (-f.a1 - root) / (2 * f.a2));
-  const double a1 = -(one + other).real(), a2 = (one * other).real();
+  // The poles, two real ones or a complex pair, after a tick: their sum and their product.
+  const double scale = tick / (2 * f.a2), square = f.a1 * f.a1 - 4 * f.a2, root = std::sqrt(std::abs(square));
+  const double both = std::exp(-scale * f.a1);
+  const double apart = square < 0 ? std::cos(scale * root) : 0.5 * (std::exp(scale * root) + std::exp(-scale * root));
+  const double a1 = -2 * both * apart, a2 = both * both;
   // |1 + a1/z + a2/z^2|^2 is a sum of three, of which the first is left at 0 Hz; the zeros' is another such sum.
   const Powers poles = {(1 + a1 + a2) * (1 + a1 + a2), (1 - a1 + a2) * (1 - a1 + a2), -4 * a2};
   const Powers low = powers_at(kLowMatch, rate), high = powers_at(kHighMatch, rate);

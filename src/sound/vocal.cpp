@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "sound/air.h"
 
@@ -104,7 +105,7 @@ bool Vocal::utter(const Utterance& told, Span<float> out) {
   if (silent() && told.loudness == 0) return false;
   move(told);
   const std::array<Resonator, kFormants> tract = resonators();
-  const double pitch = pitch_ * std::exp2(now_.pitch);
+  const double pitch = pitch_ * two_to(now_.pitch);
   const double wanted = kCry * now_.loudness * now_.loudness / loudness_of_one(tract, pitch);
   const double slope = (wanted - amplitude_) / static_cast<double>(out.size()), step = pitch / rate_;
   for (std::size_t i = 0; i < out.size(); ++i) {

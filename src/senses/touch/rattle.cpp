@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
+
 namespace mimo::senses::touch {
 namespace {
 
@@ -28,7 +30,7 @@ void Rattle::take_in(const Felt& felt) {
   }
   for (const Prick& prick : felt.pricks()) {
     if (!table_.has(static_cast<std::size_t>(prick.sensor))) continue;
-    const double sharp = prick.pressure / std::cbrt(felt.of(prick.sensor).normal);
+    const double sharp = prick.pressure / cube_root(felt.of(prick.sensor).normal);
     sharpness(prick.sensor) = std::max(sharpness(prick.sensor), sharp);
   }
 }
