@@ -72,6 +72,7 @@ class Enum:
     prefix: str
     doc: str
     constants: list[str]
+    sense: str | None = None  # of an agent, whose outputs it chooses
 
     def word(self, constant: str) -> str:
         """A constant's name without the prefix: "FORCE" of MIMO_TOUCH_FORCE; one without the prefix loses MIMO_."""
@@ -90,6 +91,7 @@ class Member:
     unit: str | None = None
     range: list[float] | None = None
     owner: str | None = None
+    sense: str | None = None  # of an agent, to which it belongs
     since: str = "1.0"
     stability: str = "stable"
 
@@ -146,6 +148,12 @@ class Api:
 
     def function(self, name: str) -> Function:
         return next(one for one in self.functions if one.name == name)
+
+    def senses(self) -> list[Enum]:
+        """The enumerations of the senses' outputs, in the order of the times that steps take for them."""
+        order = [one.name for one in self.struct("mimo_timing").members]
+        found = [one for one in self.enums if one.sense]
+        return sorted(found, key=lambda one: order.index(one.sense) if one.sense in order else len(order))
 
     def is_a(self, kind: str, name: str) -> bool:
         """Whether a name is one of the "handles", "typedefs", "callbacks", "structs", ..."""

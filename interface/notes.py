@@ -61,6 +61,7 @@ def group(data, notes):
                 "prefix": enum["prefix"],
                 "doc": enum["doc"],
                 "constants": members,
+                "sense": enum.get("sense"),
             }
         )
     for name, constant in constants.items():
@@ -123,6 +124,7 @@ class Annotator:
             constant |= self.status(constant["name"], constant["header"])
         for struct in self.data["structs"]:
             self.struct(struct)
+        self.senses()
         for function in self.data["functions"]:
             function |= self.status(function["name"], function["header"])
             function["node"] = self.history.node(function["name"], function["stability"])
@@ -169,6 +171,21 @@ class Annotator:
         if status["stability"] != struct["stability"] == "stable":
             told["stability"] = status["stability"]
         member |= {key: value for key, value in told.items() if value not in (None, "", [])}
+
+    def senses(self):
+        """Which member of an agent's config belongs to which sense; every sense has one that switches it on."""
+        config = next(one for one in self.data["structs"] if one["name"] == "mimo_agent_config")
+        named = [one["sense"] for one in self.data["enums"] if one["sense"]]
+        for member in config["members"]:
+            if found := [one for one in named if f"{member['name']}_".startswith(f"{one}_")]:
+                member["sense"] = found[0]
+        given = {one["name"] for one in config["members"]}
+        belong = {one["sense"] for one in config["members"] if "sense" in one}
+        if strangers := (set(named) - given) | (belong - set(named)):
+            raise Undescribable(
+                f"notes.toml: {', '.join(sorted(strangers))}: a sense is a member of mimo_agent_config and has an "
+                "enumeration"
+            )
 
     def parameters(self, function):
         for parameter in function["parameters"]:

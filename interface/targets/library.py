@@ -1,4 +1,5 @@
-"""What the library itself is made with: what it exports, which names it knows, and how large structs were at first."""
+"""What library and programs are made with: what is exported, the names that are known, the first sizes of structs, and
+tables of what the headers list."""
 
 import re
 
@@ -12,6 +13,7 @@ def files(api):
         "src/capi/first_sizes.h": first_sizes(api),
         "src/capi/members.h": members(api),
         "src/base/header.h": header(api),
+        "src/programs/senses.h": program_senses(api),
     }
 
 
@@ -90,7 +92,7 @@ def members(api):
 // Members of structs that are numbers, texts and arrays of numbers, visited with their names.
 #pragma once
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 namespace mimo::capi {{
 """
@@ -101,12 +103,20 @@ template <typename Visit>
 void for_each_member({struct.name}& all, Visit&& visit) {{
 {visits}}}
 """
-    return (
-        text
-        + """
-}  // namespace mimo::capi
+    return f"{text}\n{take_senses(api)}\n}}  // namespace mimo::capi\n"
+
+
+def take_senses(api):
+    """Of an agent's config: each sense with the members that belong to it."""
+    parts = ""
+    for sense in (one.sense for one in api.senses()):
+        names = [one.name for one in api.struct("mimo_agent_config").members if one.sense == sense]
+        lines = "".join(f"    config.{name} = wanted.{name};\n" for name in names)
+        parts += f"  if (wanted.{sense} != MIMO_AS_RECORDED) {{\n{lines}  }}\n"
+    return f"""// Gives an agent's config the senses of another one, but not those that it leaves as they were recorded.
+inline void take_senses(mimo_agent_config& config, const mimo_agent_config& wanted) {{
+{parts}}}
 """
-    )
 
 
 def plain_members(api, struct):
@@ -124,26 +134,100 @@ def plain_members(api, struct):
 
 
 def header(api):
-    """What rooms check their tables against: the bits of each set of flags, the numbers of kinds and quantities."""
+    """What rooms check their tables against, or use: bits of each set of flags, kinds, quantities, senses."""
+    shares = ", ".join(f"k{one.name}" for one in api.senses())
     text = f"""// {NOTE}
 // All that the header has of what is listed again in tables of the rooms, so that a row that is missing cannot compile.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "mimo/experimental.h"
 
 namespace mimo::header {{
 
+// What a step's time is spent on beside physics: senses of agents, their tasks, requested fields.
+enum class Share {{ {shares}, kTask, kRequest }};
+constexpr std::size_t kShares = {len(api.senses()) + 2};
+
 """
     for enum in api.enums:
         if enum.kind == "flags":
-            bits = 0
-            for name in enum.constants:
-                bits |= 0 if name.endswith(("_ALL", "_NONE")) else api.constant(name).value
-            text += f"constexpr std::uint32_t k{enum.name} = {bits:#x};\n"
+            text += f"constexpr std::uint32_t k{enum.name} = {bits(api, enum):#x};\n"
     text += "\n// clang-format off\n" + listed(api, "Kind", "kKinds") + listed(api, "Quantity", "kQuantities")
-    return text + "// clang-format on\n\n}  // namespace mimo::header\n"
+    senses = "".join(f'    {{"{one.sense}", &mimo_agent_config::{one.sense}}},\n' for one in api.senses())
+    times = "".join(f"    {{Share::k{one.name}, &mimo_timing::{one.sense}}},\n" for one in timed(api))
+    return f"""{text}
+// The senses of an agent, and the bits that switch them on.
+struct Sense {{
+  const char* name;
+  std::uint32_t mimo_agent_config::*bits;
+}};
+constexpr Sense kSenses[] = {{
+{senses}}};
+
+struct Time {{
+  Share share;
+  double mimo_timing::*seconds;
+}};
+constexpr Time kTimes[] = {{
+{times}}};
+// clang-format on
+
+}}  // namespace mimo::header
+"""
+
+
+def bits(api, enum):
+    """All bits of a set of flags."""
+    found = 0
+    for name in enum.constants:
+        found |= 0 if name.endswith(("_ALL", "_NONE")) else api.constant(name).value
+    return found
+
+
+def timed(api):
+    """The senses whose time mimo_timing tells."""
+    members = [one.name for one in api.struct("mimo_timing").members]
+    return [one for one in api.senses() if one.sense in members]
+
+
+def program_senses(api):
+    """The same for programs, which see the public headers only."""
+    senses = "".join(
+        f'    {{"{one.sense}", &mimo_agent_config::{one.sense}, {bits(api, one):#x}}},\n' for one in api.senses()
+    )
+    times = "".join(f'    {{"{one.sense}", &mimo_timing::{one.sense}}},\n' for one in timed(api))
+    return f"""// {NOTE}
+// The senses of an agent, and the parts of a step's time.
+#pragma once
+
+#include <cstdint>
+#include <mimo/mimo.hpp>
+
+namespace cli {{
+
+// clang-format off
+struct Sense {{
+  const char* name;
+  std::uint32_t mimo_agent_config::*bits;  // that switch it on
+  std::uint32_t every;                     // bit that there is
+}};
+constexpr Sense kSenses[] = {{
+{senses}}};
+
+struct Time {{
+  const char* name;
+  double mimo_timing::*seconds;
+}};
+constexpr Time kTimes[] = {{
+    {{"physics", &mimo_timing::physics}},
+{times}}};
+// clang-format on
+
+}}  // namespace cli
+"""
 
 
 def listed(api, enum, name):

@@ -395,11 +395,17 @@ OPTION_TYPES = """\
 from __future__ import annotations
 
 import os
-from typing import Optional, Sequence, TypedDict, TypeVar, Union
+from enum import IntFlag
+from typing import Dict, Optional, Sequence, Type, TypedDict, TypeVar, Union
 
 from .constants import (
 {imported}
 )
+
+# An infant's senses, each an option of the same name, and the outputs that they have.
+SENSES: Dict[str, Type[IntFlag]] = {{
+{senses}
+}}
 
 Numbers = Sequence[float]
 Choice = TypeVar("Choice")
@@ -411,9 +417,10 @@ def options(api):
     members = [member for name in OPTIONS for _, member in option_rows(api, name)]
     used = sorted({member.enum for member in members if member.enum})
     imported = "\n".join(f"    {name}," for name in used)
+    senses = "\n".join(f'    "{one.sense}": {one.name},' for one in api.senses())
     classes = [option_class(api, name) for name in OPTIONS]
     doc = "The options of scenes, infants, worlds, objects and pictures, as mimo.h documents them."
-    return module(doc, OPTION_TYPES.format(imported=imported), *classes)
+    return module(doc, OPTION_TYPES.format(imported=imported, senses=senses), *classes)
 
 
 def option_class(api, name):

@@ -2,11 +2,16 @@
 // All that the header has of what is listed again in tables of the rooms, so that a row that is missing cannot compile.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "mimo/experimental.h"
 
 namespace mimo::header {
+
+// What a step's time is spent on beside physics: senses of agents, their tasks, requested fields.
+enum class Share { kTouch, kVision, kProprioception, kVestibular, kHearing, kTask, kRequest };
+constexpr std::size_t kShares = 7;
 
 constexpr std::uint32_t kReplay = 0x3;
 constexpr std::uint32_t kMature = 0x1f;
@@ -97,6 +102,31 @@ constexpr mimo_quantity kQuantities[] = {
     MIMO_AGENT_PHYSIOLOGICAL_AGE,
     MIMO_WORLD_GRAVITY,
     MIMO_WARNING_STEPS,
+};
+
+// The senses of an agent, and the bits that switch them on.
+struct Sense {
+  const char* name;
+  std::uint32_t mimo_agent_config::*bits;
+};
+constexpr Sense kSenses[] = {
+    {"touch", &mimo_agent_config::touch},
+    {"vision", &mimo_agent_config::vision},
+    {"proprioception", &mimo_agent_config::proprioception},
+    {"vestibular", &mimo_agent_config::vestibular},
+    {"hearing", &mimo_agent_config::hearing},
+};
+
+struct Time {
+  Share share;
+  double mimo_timing::*seconds;
+};
+constexpr Time kTimes[] = {
+    {Share::kTouch, &mimo_timing::touch},
+    {Share::kVision, &mimo_timing::vision},
+    {Share::kProprioception, &mimo_timing::proprioception},
+    {Share::kVestibular, &mimo_timing::vestibular},
+    {Share::kHearing, &mimo_timing::hearing},
 };
 // clang-format on
 

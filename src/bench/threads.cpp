@@ -4,6 +4,7 @@
 
 #include "bench/measurements.h"
 #include "programs/program.h"
+#include "programs/senses.h"
 #include "programs/summary.h"
 
 namespace cli {
@@ -52,12 +53,7 @@ mimo_timing BatchWorld::timing() {
     const mimo_timing one = batch_.env(i).timing();
     sum.steps += one.steps;
     sum.total += one.total;
-    sum.physics += one.physics;
-    sum.touch += one.touch;
-    sum.vision += one.vision;
-    sum.proprioception += one.proprioception;
-    sum.vestibular += one.vestibular;
-    sum.hearing += one.hearing;
+    for (const Time& part : kTimes) sum.*part.seconds += one.*part.seconds;
   }
   return sum;
 }

@@ -6,6 +6,7 @@
 #include "access/requested_fields.h"
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/header.h"
 #include "document/names.h"
 #include "scene/anatomy.h"
 
@@ -107,11 +108,11 @@ void Agents::limit_sense(std::size_t agent, const std::string& path, const obser
 }
 
 void Agents::forgive_limits() {
-  constexpr std::string_view kSenses[] = {"proprioception", "vestibular", "vision", "touch", "hearing"};
   for (env::AgentOptions& agent : agents_) {
     for (observation::PathLimits& limits : agent.limits) {
       const std::string_view sense = std::string_view(limits.path).substr(0, limits.path.find('/'));
-      limits.may_lead_nowhere = std::find(std::begin(kSenses), std::end(kSenses), sense) != std::end(kSenses);
+      limits.may_lead_nowhere = std::any_of(std::begin(header::kSenses), std::end(header::kSenses),
+                                            [&](const header::Sense& one) { return one.name == sense; });
     }
   }
 }

@@ -124,10 +124,11 @@ mimo_agent_config default_agent_config(const scene::Scene& scene) {
   const scene::UsualInfant usual = scene.usual_infant();
   config.body = usual.body;
   if (usual.muscles) config.actuation = MIMO_ACTUATION_MUSCLE;
-  if (!usual.senses.proprioception) config.proprioception = 0;
-  if (!usual.senses.vestibular) config.vestibular = 0;
-  if (!usual.senses.vision) config.vision = 0;
-  if (!usual.senses.touch) config.touch = 0;
+  for (const header::Sense& sense : header::kSenses) {
+    const std::vector<std::string>& senses = usual.senses;
+    const bool has = senses.empty() || std::find(senses.begin(), senses.end(), sense.name) != senses.end();
+    if (!has) config.*sense.bits = 0;
+  }
   if (const std::optional<document::Pose> place = scene.free_place()) {
     std::copy(place->position.begin(), place->position.end(), config.position);
     std::copy(place->orientation.begin(), place->orientation.end(), config.orientation);

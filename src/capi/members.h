@@ -2,7 +2,7 @@
 // Members of structs that are numbers, texts and arrays of numbers, visited with their names.
 #pragma once
 
-#include "mimo/mimo.h"
+#include "mimo/experimental.h"
 
 namespace mimo::capi {
 
@@ -95,6 +95,35 @@ void for_each_member(mimo_maturity& all, Visit&& visit) {
   visit("vision_delay", all.vision_delay);
   visit("vestibular_delay", all.vestibular_delay);
   visit("hearing_delay", all.hearing_delay);
+}
+
+// Gives an agent's config the senses of another one, but not those that it leaves as they were recorded.
+inline void take_senses(mimo_agent_config& config, const mimo_agent_config& wanted) {
+  if (wanted.touch != MIMO_AS_RECORDED) {
+    config.touch = wanted.touch;
+    config.touch_response = wanted.touch_response;
+    config.touch_frame = wanted.touch_frame;
+    config.touch_scale = wanted.touch_scale;
+    config.touch_slip_threshold = wanted.touch_slip_threshold;
+  }
+  if (wanted.vision != MIMO_AS_RECORDED) {
+    config.vision = wanted.vision;
+    config.vision_width = wanted.vision_width;
+    config.vision_height = wanted.vision_height;
+    config.vision_fovy = wanted.vision_fovy;
+    config.vision_foveation = wanted.vision_foveation;
+  }
+  if (wanted.proprioception != MIMO_AS_RECORDED) {
+    config.proprioception = wanted.proprioception;
+    config.limit_threshold = wanted.limit_threshold;
+  }
+  if (wanted.vestibular != MIMO_AS_RECORDED) {
+    config.vestibular = wanted.vestibular;
+    config.vestibular_at = wanted.vestibular_at;
+  }
+  if (wanted.hearing != MIMO_AS_RECORDED) {
+    config.hearing = wanted.hearing;
+  }
 }
 
 }  // namespace mimo::capi

@@ -100,31 +100,6 @@ class Arguments {
   std::deque<std::string> texts_;
 };
 
-// A sense as another config has it, unless that leaves it as recorded.
-void change_senses(mimo_agent_config& config, const mimo_agent_config& wanted) {
-  const auto kept = [](std::uint32_t bits) { return bits == MIMO_AS_RECORDED; };
-  if (!kept(wanted.proprioception)) {
-    config.proprioception = wanted.proprioception;
-    config.limit_threshold = wanted.limit_threshold;
-  }
-  if (!kept(wanted.vestibular)) config.vestibular = wanted.vestibular;
-  if (!kept(wanted.vision)) {
-    config.vision = wanted.vision;
-    config.vision_width = wanted.vision_width;
-    config.vision_height = wanted.vision_height;
-    config.vision_fovy = wanted.vision_fovy;
-    config.vision_foveation = wanted.vision_foveation;
-  }
-  if (!kept(wanted.touch)) {
-    config.touch = wanted.touch;
-    config.touch_response = wanted.touch_response;
-    config.touch_frame = wanted.touch_frame;
-    config.touch_scale = wanted.touch_scale;
-    config.touch_slip_threshold = wanted.touch_slip_threshold;
-  }
-  if (!kept(wanted.hearing)) config.hearing = wanted.hearing;
-}
-
 // A scene, on which the calls of a recording are made again.
 class RecordedScene {
  public:
@@ -155,7 +130,7 @@ class RecordedScene {
     mimo_agent_config config{};
     check(mimo_agent_config_init(&config, sizeof config));
     given.read("config", config);
-    if (senses_ && text(config.root).empty()) change_senses(config, *senses_);
+    if (senses_ && text(config.root).empty()) take_senses(config, *senses_);
     return config;
   }
   void add_agent(Arguments& given) {

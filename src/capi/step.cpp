@@ -100,16 +100,11 @@ extern "C" {
 mimo_status mimo_env_timing(const mimo_env* env, mimo_timing* timing) noexcept {
   return guard(env, [&] {
     const env::Timing& inner = open(env).world().timing();
-    const auto of = [&](observation::Share share) { return inner.senses[static_cast<std::size_t>(share)]; };
     mimo_timing ours{};
     ours.steps = inner.steps;
     ours.total = inner.total;
     ours.physics = inner.physics;
-    ours.touch = of(observation::Share::kTouch);
-    ours.vision = of(observation::Share::kVision);
-    ours.proprioception = of(observation::Share::kProprioception);
-    ours.vestibular = of(observation::Share::kVestibular);
-    ours.hearing = of(observation::Share::kHearing);
+    for (const auto& [share, seconds] : header::kTimes) ours.*seconds = inner.senses[static_cast<std::size_t>(share)];
     write_described(timing, ours, "timing");
   });
 }

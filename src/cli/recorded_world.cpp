@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "programs/program.h"
+#include "programs/senses.h"
 #include "programs/world.h"
 
 namespace cli {
@@ -34,13 +35,14 @@ std::string given_acting_option(const CLI::App& command) {
 
 mimo_agent_config changed_senses(const WorldOptions& options, const CLI::App& command) {
   mimo_agent_config agent = sensing_agent(options);
-  const bool all = is_given(command, "--senses");
-  if (!all) agent.proprioception = agent.vestibular = agent.hearing = MIMO_AS_RECORDED;
-  if (!all && !is_given(command, "--touch")) agent.touch = MIMO_AS_RECORDED;
-  if (!is_given(command, "--vision")) {
-    if (is_given(command, "--foveation"))
-      throw Failure("--foveation needs --vision, which says how large pictures are");
-    agent.vision = MIMO_AS_RECORDED;
+  const bool sees = is_given(command, "--vision"), all = is_given(command, "--senses");
+  if (!sees && is_given(command, "--foveation"))
+    throw Failure("--foveation needs --vision, which says how large pictures are");
+  const bool feels = all || is_given(command, "--touch");
+  for (const Sense& sense : kSenses) {
+    const std::string name = sense.name;
+    const bool is_changed = name == "vision" ? sees : name == "touch" ? feels : all;
+    if (!is_changed) agent.*sense.bits = MIMO_AS_RECORDED;
   }
   return agent;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/header.h"
 #include "observation/field.h"
 
 typedef struct mjModel_ mjModel;
@@ -52,8 +53,8 @@ class Process {
 };
 
 // The share of a step's time that a sense counts for.
-enum class Share { kTouch, kVision, kProprioception, kVestibular, kHearing, kTask, kRequest };
-constexpr std::size_t kShares = 7;
+using header::kShares;
+using header::Share;
 
 // Adds the seconds of its own life to a sum; does nothing when switched off.
 class Stopwatch {

@@ -5,17 +5,25 @@
 #include <string>
 
 #include "programs/program.h"
+#include "programs/senses.h"
 
 namespace cli {
+namespace {
+
+bool is_off_by_default(const std::string& sense) {
+  const mimo_agent_config usual = mimo::agent_config();
+  return std::any_of(std::begin(kSenses), std::end(kSenses),
+                     [&](const Sense& one) { return one.name == sense && usual.*one.bits == 0; });
+}
+
+}  // namespace
 
 std::vector<std::pair<std::string, double>> split_ms(const mimo_timing& timing, double total_ms) {
   const double scale = timing.steps == 0 ? 0 : 1000.0 / static_cast<double>(timing.steps);
-  std::vector<std::pair<std::string, double>> split = {{"physics", timing.physics * scale},
-                                                       {"touch", timing.touch * scale},
-                                                       {"vision", timing.vision * scale},
-                                                       {"proprioception", timing.proprioception * scale},
-                                                       {"vestibular", timing.vestibular * scale}};
-  if (timing.hearing > 0) split.emplace_back("hearing", timing.hearing * scale);
+  std::vector<std::pair<std::string, double>> split;
+  for (const auto& [name, seconds] : kTimes) {
+    if (timing.*seconds > 0 || !is_off_by_default(name)) split.emplace_back(name, timing.*seconds * scale);
+  }
   double other = total_ms;
   for (const auto& part : split) other -= part.second;
   split.emplace_back("other", other);

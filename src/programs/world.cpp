@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "programs/senses.h"
 #include "programs/summary.h"
 #include "programs/text.h"
 
@@ -177,16 +178,16 @@ void set_touch(const std::string& touch, mimo_agent_config& agent) {
   if (agent.touch != 0) agent.touch_scale = std::stod(touch);
 }
 
-// All receptors of the senses that there are.
+// All receptors of the senses that there are, and the senses that are off by default.
 void add_receptors(mimo_agent_config& agent) {
-  if (agent.touch != 0) {
-    agent.touch |= MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE | MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC |
-                   MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM |
-                   MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW | MIMO_TOUCH_UNITS;
+  const mimo_agent_config usual = mimo::agent_config();
+  constexpr std::uint32_t kForces = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;  // exclude each other
+  const std::uint32_t vision = agent.vision, forces = agent.touch & kForces;
+  for (const Sense& sense : kSenses) {
+    if (agent.*sense.bits != 0 || usual.*sense.bits == 0) agent.*sense.bits = sense.every;
   }
-  if (agent.vestibular != 0) {
-    agent.vestibular |= MIMO_VESTIBULAR_CANALS | MIMO_VESTIBULAR_OTOLITHS | MIMO_VESTIBULAR_GRAVITY;
-  }
+  agent.vision = vision;
+  if (agent.touch != 0) agent.touch = (agent.touch & ~kForces) | forces;
   agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
 }
 
@@ -207,7 +208,9 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
   agent.voice = options.voice ? 1 : 0;
   if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
-  if (senses == Senses::kNone) agent.proprioception = agent.vestibular = agent.touch = agent.vision = 0;
+  if (senses == Senses::kNone) {
+    for (const Sense& sense : kSenses) agent.*sense.bits = 0;
+  }
   return agent;
 }
 

@@ -268,12 +268,7 @@ unsigned Recipe::acts() const {
   return words.empty() ? static_cast<unsigned>(kAllGroups) : groups_from(words);
 }
 
-Senses Recipe::senses() const {
-  const std::vector<std::string> words = custom_words(document_.document_element(), names::kSenses);
-  if (words.empty()) return {};
-  const auto has = [&](const char* word) { return std::find(words.begin(), words.end(), word) != words.end(); };
-  return {has("proprioception"), has("vestibular"), has("vision"), has("touch")};
-}
+std::vector<std::string> Recipe::senses() const { return custom_words(document_.document_element(), names::kSenses); }
 
 std::vector<std::string> Recipe::still() const { return custom_words(document_.document_element(), names::kStill); }
 

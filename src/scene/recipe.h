@@ -15,11 +15,6 @@ namespace mimo::scene {
 // What a room does with an infant that is put into it: how it is held, what of it acts, what stands around it. A room
 // names its recipe by a custom text, "mimo:infant"; the recipe is an MJCF file whose names get the infant's prefix.
 
-// What an infant senses.
-struct Senses {
-  bool proprioception = true, vestibular = true, vision = true, touch = true;
-};
-
 class Recipe {
  public:
   // The recipe of a room; an empty one if the room has none.
@@ -29,8 +24,8 @@ class Recipe {
   unsigned acts() const;
   // How the names of motors begin that do not act although their group does, "right_thumb_".
   std::vector<std::string> still() const;
-  // All of them if the recipe does not say.
-  Senses senses() const;
+  // The senses that an infant has, by their names; none if the recipe does not say.
+  std::vector<std::string> senses() const;
   // Whether the infant acts with muscles; else with motors.
   bool muscles() const;
   // Bodies that it is made for, the usual one first; none if it does for all.

@@ -62,9 +62,9 @@ struct Camera {
 
 // An infant as a scene usually has it.
 struct UsualInfant {
-  const char* body;  // static
-  Senses senses;
-  bool muscles;  // else motors
+  const char* body;                 // static
+  std::vector<std::string> senses;  // by their names; none: the usual ones
+  bool muscles;                     // else motors
 };
 
 // Shared by copies of a scene; who changes a document changes a copy.

@@ -278,6 +278,8 @@ static void a_file_alone_is_replayed(void) {
   senses.touch = MIMO_TOUCH_FORCE;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "touch_scale", mimo_recording_env(recording, NULL, &senses, &numb));
   senses.touch = MIMO_AS_RECORDED;
+  senses.vestibular_at = "nowhere"; /* members that belong to a sense come with it */
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "nowhere", mimo_recording_env(recording, NULL, &senses, &numb));
   senses.vestibular = 0;
   senses.proprioception = MIMO_PROPRIOCEPTION_TORQUE;
   CHECK_OK(mimo_recording_env(recording, NULL, &senses, &numb));

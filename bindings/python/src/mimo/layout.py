@@ -17,6 +17,7 @@ from ._strict import Strict
 from .arguments import meant
 from .constants import FieldType, Receptor
 from .errors import ClosedError
+from .option_types import SENSES
 
 ALIGNMENT = 64
 SUPPLY_BYTES = 65536
@@ -28,7 +29,6 @@ DTYPES: Dict[int, np.dtype[Any]] = {
 }
 
 Observation = Dict[str, NDArray[Any]]
-SENSES = ("proprioception", "vestibular", "touch", "vision", "hearing")  # each an option of the same name
 
 
 class Fields(Dict[str, NDArray[Any]]):

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import os
-from typing import Optional, Sequence, TypedDict, TypeVar, Union
+from enum import IntFlag
+from typing import Dict, Optional, Sequence, Type, TypedDict, TypeVar, Union
 
 from .constants import (
     Act,
@@ -27,6 +28,15 @@ from .constants import (
     Vestibular,
     Vision,
 )
+
+# An infant's senses, each an option of the same name, and the outputs that they have.
+SENSES: Dict[str, Type[IntFlag]] = {
+    "touch": Touch,
+    "vision": Vision,
+    "proprioception": Proprioception,
+    "vestibular": Vestibular,
+    "hearing": Hearing,
+}
 
 Numbers = Sequence[float]
 Choice = TypeVar("Choice")

@@ -9,7 +9,7 @@ import ctypes
 import inspect
 from enum import IntEnum, IntFlag
 from functools import lru_cache
-from typing import Any, Dict, Literal, Mapping, Optional, Sequence, Union, get_args, get_type_hints
+from typing import Any, Dict, Mapping, Optional, Sequence, Union, get_args, get_type_hints
 
 import numpy as np
 
@@ -58,10 +58,10 @@ SIZES = 3  # most numbers of a shape
 class AgentOptions(GrowthOptions, InfantOptions, total=False):
     """One infant: its position, age, senses and motors.
 
-    `senses` adds all receptors ("all") or hearing to the senses that are on.
+    `senses` adds all receptors ("all") or senses that are off by default ("hearing") to those that are on.
     """
 
-    senses: Union[Literal["usual", "all", "hearing"], Sequence[str]]
+    senses: Union[str, Sequence[str]]
 
 
 class EnvOptions(AgentOptions, PhysicsOptions, total=False):

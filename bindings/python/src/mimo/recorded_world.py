@@ -9,10 +9,9 @@ from . import _abi
 from ._handle import Handle, Native
 from ._library import LIB, check, defaults
 from .constants import AS_RECORDED, Touch, Vision
+from .option_types import SENSES
 from .scene import Scene, scenes
 from .world import World
-
-SENSES = ("proprioception", "vestibular", "vision", "touch", "hearing")
 
 
 class RecordedScene:

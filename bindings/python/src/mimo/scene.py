@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import ctypes
+import json
 import os
 from functools import wraps
 from typing import (
@@ -29,9 +30,10 @@ from ._library import LIB, check, defaults, log_to_python, result, text, told_be
 from ._strict import Strict
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
-from .constants import NOW, Hearing, Place, Proprioception, Quantity, Reflex, Status, Touch, Vestibular
+from .constants import NOW, Place, Proprioception, Quantity, Reflex, Status, Touch, Vestibular
 from .errors import NotFoundError
 from .maturity import Maturity, maturity_from
+from .option_types import SENSES
 from .options import (
     AgentOptions,
     CameraOptions,
@@ -94,15 +96,16 @@ def _names(by_index: Any) -> List[str]:
     return names
 
 
-def _add_senses(config: _abi.AgentConfig, options: AgentOptions) -> None:
-    """Adds hearing, or all receptors, to the senses that are on."""
+def _add_senses(config: _abi.AgentConfig, options: AgentOptions, off: List[str]) -> None:
+    """Adds senses that are off by default, or all receptors, to the senses that are on."""
     which = options.get("senses", "usual")
     names = [which] if isinstance(which, str) else list(which)
-    for name in names:
-        if name not in ("usual", "all", "hearing"):
-            raise ValueError(f'senses is {which!r}, expected "usual", "all", "hearing", or a list of these')
-    if ("hearing" in names or "all" in names) and "hearing" not in options:
-        config.hearing = sum(Hearing)
+    known = ["usual", "all", *off]
+    if not set(names) <= set(known):
+        raise ValueError(f"senses is {which!r}, expected {', '.join(map(json.dumps, known))}, or a list of these")
+    for sense in off:
+        if not {sense, "all"}.isdisjoint(names) and sense not in options:
+            setattr(config, sense, sum(SENSES[sense]))
     if "all" not in names:
         return
     config.proprioception |= Proprioception.ALL
@@ -188,13 +191,13 @@ class Scene(Handle):
 
     def _agent_config(self, options: AgentOptions) -> _abi.AgentConfig:
         config = defaults(_abi.AgentConfig)
-        standard = {key: getattr(config, key) for key in ("proprioception", "vestibular", "vision", "touch")}
-        standard["hearing"] = sum(Hearing)
+        off = [sense for sense in SENSES if not getattr(config, sense)]
+        standard = {sense: sum(SENSES[sense]) if sense in off else getattr(config, sense) for sense in SENSES}
         check(LIB.mimo_scene_default_agent(self._handle, config, ctypes.sizeof(config)))
         growth = _growth_in(options)
         agent = {name: value for name, value in options.items() if name not in growth and name != "senses"}
         fill(config, agent, AgentOptions, standard)
-        _add_senses(config, options)
+        _add_senses(config, options, off)
         if growth:
             config.growth = ctypes.pointer(growth_from(growth))
         given = options.keys() & {"position", "orientation"}
