@@ -204,4 +204,20 @@ Faces find_faces(const mjModel& model, const Body& body) {
   return faces;
 }
 
+std::optional<Mouth> find_mouth(const mjModel& model, const Body& body) {
+  // Tangents to the side and down.
+  constexpr double kSide = 0.185, kDown = 0.575;
+  if (body.head < 0) return std::nullopt;
+  Mouth mouth{Eigen::Vector3d::Zero(),
+              {Eigen::Vector3d(1, kSide, -kDown).normalized(), Eigen::Vector3d(1, -kSide, -kDown).normalized()}};
+  double radius = 0;  // of the skull
+  const int first = model.body_geomadr[body.head];
+  for (int geom = first; geom < first + model.body_geomnum[body.head]; ++geom) {
+    if (model.geom_type[geom] != mjGEOM_SPHERE || !(model.geom_size[3 * geom] > radius)) continue;
+    radius = model.geom_size[3 * geom];
+    mouth.middle = Eigen::Vector3d(model.geom_pos + 3 * geom);
+  }
+  return mouth;
+}
+
 }  // namespace mimo::body

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,15 @@ class Eyes {
   Joint swivel_, nod_;
   Eye left_, right_;
 };
+
+// Its mouth, as the built-in faces have it, seen from the middle of the head; in the head's frame.
+struct Mouth {
+  Eigen::Vector3d middle;                  // of the head
+  std::array<Eigen::Vector3d, 2> corners;  // left and right, of length 1
+};
+
+// Nothing without a head. Of bodies with other faces it is as good a guess as any.
+std::optional<Mouth> find_mouth(const mjModel& model, const Body& body);
 
 // The faces that an infant can show: materials of which its head has one at a time.
 

@@ -38,8 +38,6 @@ constexpr double kLeast = 5 * kDegree, kMost = 45 * kDegree;  // leaning forward
 constexpr double kSideways = 30 * kDegree;
 // How near to a corner of the mouth, as seen from the head's middle.
 constexpr double kCorner = 20 * kDegree;
-// Corners of the mouth as the built-in faces have them: tangents to the side and down.
-constexpr double kMouthSide = 0.185, kMouthDown = 0.575;
 // Of the way from the ankle to the toes: from there on it is the ball of the foot.
 constexpr double kBall = 0.65;
 
@@ -142,11 +140,10 @@ Stimuli::Stimuli(const mjModel& model, const body::Body& body, double months, do
   for (const Reflex reflex : wanted) wanted_[static_cast<std::size_t>(reflex)] = true;
   for (const int own : body.bodies) places_[static_cast<std::size_t>(own)].own = true;
   palm_.fill(Vec3::Zero());
-  mouth_.fill(Vec3::Zero());
   trunk_ = engine::find(model, Kind::kBody, (prefix_ + "upper_body").c_str());
   if (wants(Reflex::kPalmarGrasp)) find_hands(model);
   if (wants(Reflex::kPlantarGrasp) || wants(Reflex::kStepping) || wants(Reflex::kWithdrawal)) find_legs(model);
-  find_head(model);
+  find_head(model, body);
 }
 
 void Stimuli::mark(const mjModel& model, const std::string& name, Part part, std::size_t side) {
@@ -181,20 +178,14 @@ void Stimuli::find_legs(const mjModel& model) {
   }
 }
 
-void Stimuli::find_head(const mjModel& model) {
+void Stimuli::find_head(const mjModel& model, const body::Body& body) {
   const int swivel = engine::find(model, Kind::kJoint, (prefix_ + "robot:head_swivel").c_str());
   const int tilt = engine::find(model, Kind::kJoint, (prefix_ + "robot:head_tilt").c_str());
   if (swivel >= 0) swivel_ = model.jnt_qposadr[swivel];
   if (tilt >= 0) tilt_ = model.jnt_dofadr[tilt];
   if (!wants(Reflex::kRooting) || head_ < 0) return;
   places_[static_cast<std::size_t>(head_)].part = Part::kHead;
-  double radius = 0;
-  for (int geom = model.body_geomadr[head_]; geom < model.body_geomadr[head_] + model.body_geomnum[head_]; ++geom) {
-    if (model.geom_type[geom] != mjGEOM_SPHERE || !(model.geom_size[3 * geom] > radius)) continue;
-    radius = model.geom_size[3 * geom];
-    head_middle_ = Vec3(model.geom_pos + 3 * geom);
-  }
-  mouth_ = {Vec3(1, kMouthSide, -kMouthDown).normalized(), Vec3(1, -kMouthSide, -kMouthDown).normalized()};
+  mouth_ = *body::find_mouth(model, body);
 }
 
 void Stimuli::rest(const mjModel& model, const mjData& data) {
@@ -269,10 +260,10 @@ void Stimuli::feel_leg(const mjModel& model, const Press& press, const Place& pl
 }
 
 void Stimuli::feel_face(const mjData& data, const Press& press) {
-  const Vec3 at = rotation(data, head_).transpose() * (press.point - Vec3(data.xpos + 3 * head_)) - head_middle_;
+  const Vec3 at = rotation(data, head_).transpose() * (press.point - Vec3(data.xpos + 3 * head_)) - mouth_.middle;
   for (std::size_t side = 0; side < kSides; ++side) {
     const bool its = (side == 0) == (at.y() > 0);
-    if (!its || at.normalized().dot(mouth_[side]) < std::cos(kCorner)) continue;
+    if (!its || at.normalized().dot(mouth_.corners[side]) < std::cos(kCorner)) continue;
     share(Reflex::kRooting)[side] += press.normal_force / reflexes::rule(Reflex::kRooting).threshold;
   }
 }

@@ -9,6 +9,7 @@
 #include "actuation/actuation.h"
 #include "base/bytes.h"
 #include "body/body.h"
+#include "body/face.h"
 #include "env/options.h"
 #include "env/perception.h"
 #include "observation/sense.h"
@@ -57,7 +58,7 @@ class Stimuli {
   Place place_of(const engine::Meeting& met, std::size_t side) const;
   void find_hands(const mjModel& model);
   void find_legs(const mjModel& model);
-  void find_head(const mjModel& model);
+  void find_head(const mjModel& model, const body::Body& body);
   void touch(const mjModel& model, const mjData& data);
   void feel(const mjModel& model, const mjData& data, const senses::touch::Press& press);
   void feel_hand(const mjData& data, const senses::touch::Press& press, std::size_t side);
@@ -77,8 +78,7 @@ class Stimuli {
   std::array<int, reflexes::kSides> hand_{};     // bodies
   std::array<Vec3, reflexes::kSides> palm_;      // where the palm looks, in the hand's frame
   std::array<double, reflexes::kSides> ball_{};  // from there on the foot's ball begins, m along the foot
-  std::array<Vec3, reflexes::kSides> mouth_;     // its corners, from the head's middle; of length 1
-  Vec3 head_middle_ = Vec3::Zero();
+  body::Mouth mouth_{};
   int swivel_ = -1, tilt_ = -1;  // addresses in qpos and qvel
 
   std::array<Sides, reflexes::kReflexes> shares_{};

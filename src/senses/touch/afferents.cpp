@@ -179,14 +179,14 @@ bool Afferents::gone(std::size_t place) const {
 
 void Afferents::tell(const Felt& felt, const Things& things) {
   for (std::size_t i = 0; i < table_.size(); ++i) {
-    const int sensor = table_.sensors()[i];
-    const Feeling& feeling = felt.of(sensor);
-    const bool pressed = feeling.normal > 0;
-    tell(i,
-         pressed ? Rattle::Slide{feeling.sliding / feeling.normal, feeling.other}
-                 : rattle_.slide(static_cast<std::size_t>(sensor)),
-         things);
+    tell(i, slide(felt, static_cast<std::size_t>(table_.sensors()[i])), things);
   }
+}
+
+Rattle::Slide Afferents::slide(const Felt& felt, std::size_t sensor) const {
+  const Feeling& feeling = felt.of(static_cast<int>(sensor));
+  if (feeling.normal > 0) return {feeling.sliding / feeling.normal, feeling.other};
+  return rattle_.slide(sensor);
 }
 
 void Afferents::tell(std::size_t place, const Rattle::Slide& slide, const Things& things) {

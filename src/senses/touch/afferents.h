@@ -52,6 +52,8 @@ class Afferents {
 
   const std::vector<int>& restless() const { return table_.sensors(); }
   double force(std::size_t sensor) const { return table_.number(kNormal, sensor); }  // smoothed, N
+  // What slides over a sensor, also while it hops.
+  Rattle::Slide slide(const Felt& felt, std::size_t sensor) const;
 
   void save(ByteWriter& to) const;
   void load(ByteReader& from);

@@ -8,7 +8,6 @@
 
 #include "base/fail.h"
 #include "base/format.h"
-#include "base/header.h"
 #include "base/names.h"
 #include "base/numbers.h"
 #include "engine/model.h"
@@ -22,8 +21,11 @@ namespace {
 
 using engine::Kind;
 
-static_assert((MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE | kSkinNerves) ==
-              header::kTouch);
+// Bits of MIMO_TOUCH_ by what they need to know: how skin is pressed, how warm it is, what hurts it.
+constexpr std::uint32_t kTouchNerves = MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2;
+constexpr std::uint32_t kWarmthNerves = MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM;
+constexpr std::uint32_t kPainNerves = MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
+static_assert((kTouchNerves | kWarmthNerves | kPainNerves | MIMO_TOUCH_UNITS) == kSkinNerves);
 
 const char* frame_name(TouchFrame frame) {
   switch (frame) {

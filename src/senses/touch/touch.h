@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "base/header.h"
 #include "body/body.h"
-#include "mimo/experimental/receptors.h"
 #include "observation/sense.h"
 #include "senses/touch/felt.h"
 
@@ -20,11 +20,10 @@ namespace mimo::senses {
 // Of the header.
 enum class TouchFrame : std::int32_t { kBody = MIMO_FRAME_BODY, kWorld = MIMO_FRAME_WORLD, kSkin = MIMO_FRAME_SKIN };
 
-// The bits of MIMO_TOUCH_ for the skin's nerves, one value for each sensor, in Hz, and in degrees Celsius.
-constexpr std::uint32_t kTouchNerves = MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2;
-constexpr std::uint32_t kWarmthNerves = MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM;
-constexpr std::uint32_t kPainNerves = MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
-constexpr std::uint32_t kSkinNerves = kTouchNerves | kWarmthNerves | kPainNerves | MIMO_TOUCH_UNITS;
+// What contacts give, and the rest: what nerves tell.
+constexpr std::uint32_t kContactOutputs =
+    MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE | MIMO_TOUCH_SLIP | MIMO_TOUCH_FRICTION_USE;
+constexpr std::uint32_t kSkinNerves = header::kTouch & ~kContactOutputs;
 
 struct TouchOptions {
   std::uint32_t wanted = MIMO_TOUCH_FORCE;  // MIMO_TOUCH_ bits
