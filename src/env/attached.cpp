@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/fail.h"
-#include "base/numbers.h"
 #include "engine/model.h"
 #include "env/perception.h"
 #include "env/surroundings.h"
@@ -18,7 +17,9 @@ Attached::Attached(const CompiledWorld& compiled, double step)
   if (draws(compiled.agents, compiled.options)) renderer_ = make_renderer(model_, compiled.options, compiled.services);
   soundscape_ = add_soundscape(observer_, *model_, step_seconds_, compiled.agents, compiled.options);
   const Setting setting{step_seconds_, things_of(*model_, compiled.agents, compiled.options), 1, soundscape_};
-  for (const AgentOptions& agent : compiled.agents) add_agent(agent, setting);
+  for (const AgentOptions& agent : compiled.agents) {
+    agents_.push_back(perceive_only(*model_, agent, setting, renderer_.get()));
+  }
   for (const Perception& agent : agents_) {
     for (const auto& sense : agent.senses) observer_.add(*sense);
   }
@@ -36,32 +37,6 @@ Attached::Attached(const CompiledWorld& compiled, double step)
   limits_.make_room();
   episode_.start(random_, true);
   archive_ = Archive(engine::shape(*model_), sections());
-}
-
-void Attached::add_agent(const AgentOptions& options, const Setting& setting) {
-  require(options.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
-          options.face);
-  if (!options.motors.empty()) {
-    fail(Status::kUnsupported, "limits of the paths to motors: with attached senses the host commands them");
-  }
-  if (has_bit(options.proprioception.wanted, MIMO_PROPRIOCEPTION_EFFORT) ||
-      actuation::is_muscle(options.actuation.mode)) {
-    fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
-  }
-  if (options.voice) {
-    fail(Status::kUnsupported, "voice: with attached senses there are no actions; let the head play what it says");
-  }
-  if (options.reflexes.wanted != 0) {
-    fail(Status::kUnsupported, "reflexes: with attached senses the host commands the motors, and nothing adds to that");
-  }
-  if (!options.own_senses.empty()) {
-    fail(Status::kUnsupported,
-         "sense \"{}\": attached senses have none of your own, which need a world of the library's",
-         options.own_senses[0].name);
-  }
-  AgentOptions idle = options;
-  idle.actuation.none = true;  // the host commands
-  agents_.push_back(perceive(*model_, idle, setting, renderer_.get()));
 }
 
 // Noise is that of the physics step, as a world's is; what the host calls a step is at least one.

@@ -54,7 +54,6 @@ class Attached {
 
  private:
   senses::FusimotorDrives* drives_of(int motor) const;
-  void add_agent(const AgentOptions& options, const Setting& setting);
   observation::Clock clock() const;
   std::uint64_t ticks(std::uint64_t steps) const;
   std::vector<Section> sections();

@@ -260,7 +260,7 @@ void add_sense(Perception& agent, const AgentOptions& options, std::unique_ptr<o
   agent.senses.push_back(std::move(sense));
 }
 
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const Setting& setting,
+Agent make_agent(engine::Physics& physics, const AgentOptions& options, const Setting& setting,
                  const TaskMaker& make_task, std::size_t number, render::Renderer* renderer, SkinPtr skin) {
   const mjModel& model = physics.model();
   check_joint_torque(model, options);
@@ -283,7 +283,35 @@ Agent make_agent(const engine::Physics& physics, const AgentOptions& options, co
   }
   add_sense(agent, options,
             std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));
+  if (!options.face.empty()) physics.paint(agent.faces.geom, agent.faces.find(options.face).material);
   return agent;
+}
+
+Perception perceive_only(const mjModel& model, const AgentOptions& options, const Setting& setting,
+                         render::Renderer* renderer) {
+  require(options.face.empty(), "face is \"{}\", but the model belongs to the host, whose materials stay as they are",
+          options.face);
+  if (!options.motors.empty()) {
+    fail(Status::kUnsupported, "limits of the paths to motors: with attached senses the host commands them");
+  }
+  if (has_bit(options.proprioception.wanted, MIMO_PROPRIOCEPTION_EFFORT) ||
+      actuation::is_muscle(options.actuation.mode)) {
+    fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
+  }
+  if (options.voice) {
+    fail(Status::kUnsupported, "voice: with attached senses there are no actions; let the head play what it says");
+  }
+  if (options.reflexes.wanted != 0) {
+    fail(Status::kUnsupported, "reflexes: with attached senses the host commands the motors, and nothing adds to that");
+  }
+  if (!options.own_senses.empty()) {
+    fail(Status::kUnsupported,
+         "sense \"{}\": attached senses have none of your own, which need a world of the library's",
+         options.own_senses[0].name);
+  }
+  AgentOptions idle = options;
+  idle.actuation.none = true;  // the host commands
+  return perceive(model, idle, setting, renderer);
 }
 
 }  // namespace mimo::env

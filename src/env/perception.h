@@ -103,7 +103,11 @@ using TaskMaker =
 
 // Finds the agent in the model and gives it what its options ask for; `renderer` is needed only for vision. A skin that
 // is there already is shared instead of made anew.
-Agent make_agent(const engine::Physics& physics, const AgentOptions& options, const Setting& setting,
+Agent make_agent(engine::Physics& physics, const AgentOptions& options, const Setting& setting,
                  const TaskMaker& make_task, std::size_t number, render::Renderer* renderer, SkinPtr skin);
+
+// An agent of somebody else's simulation, who commands its motors. Throws for options that concern more than senses.
+Perception perceive_only(const mjModel& model, const AgentOptions& options, const Setting& setting,
+                         render::Renderer* renderer);
 
 }  // namespace mimo::env

@@ -103,9 +103,6 @@ void World::add_agent(const AgentOptions& options, const Setting& setting, const
   action_size_ += agent.actuation->size();
   for (const auto& sense : agent.senses) observer_.add(*sense);
   agents_.push_back(std::move(agent));
-  if (options.face.empty()) return;
-  const body::Faces& faces = agents_.back().faces;
-  physics_.paint(faces.geom, faces.find(options.face).material);
 }
 
 // Behind all senses of all agents, which they may look at.
