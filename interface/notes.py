@@ -179,13 +179,10 @@ class Annotator:
         for member in config["members"]:
             if found := [one for one in named if f"{member['name']}_".startswith(f"{one}_")]:
                 member["sense"] = found[0]
-        given = {one["name"] for one in config["members"]}
-        belong = {one["sense"] for one in config["members"] if "sense" in one}
-        if strangers := (set(named) - given) | (belong - set(named)):
-            raise Undescribable(
-                f"notes.toml: {', '.join(sorted(strangers))}: a sense is a member of mimo_agent_config and has an "
-                "enumeration"
-            )
+        if lacking := set(named) - {one["name"] for one in config["members"]}:
+            raise Undescribable(f"mimo_agent_config lacks {', '.join(sorted(lacking))}, a sense by notes.toml")
+        if strangers := {one["sense"] for one in config["members"] if "sense" in one} - set(named):
+            raise Undescribable(f"notes.toml: no enumeration is of the sense {', '.join(sorted(strangers))}")
 
     def parameters(self, function):
         for parameter in function["parameters"]:

@@ -112,6 +112,12 @@ CASES = {
         "#define MIMO_LATER 7 /**< Later. */\n\n" + TIME,
         "env.h: MIMO_LATER belongs to no enumeration of notes.toml, and is not in constants.alone",
     ),
+    "a sense that agents do not have": (
+        "agent.h",
+        "  uint32_t hearing; ",
+        "  uint32_t listening; ",
+        "mimo_agent_config lacks hearing, a sense by notes.toml",
+    ),
     "a flag of two bits": (
         "env.h",
         "#define MIMO_DISABLE_GRAVITY 0x2u",
@@ -181,6 +187,19 @@ class Describe(unittest.TestCase):
             [(one["name"], one["type"], one["doc"]) for one in function["parameters"]],
             [("env", "const mimo_env *", ""), ("pair", "mimo_pair *", "receives it: both.")],
         )
+
+    def test_members_belong_to_the_sense_whose_name_they_begin_with(self):
+        """And limit_threshold to the one that notes.toml names, so that replays with other senses take all of them."""
+        header = self.headers / "agent.h"
+        last = "  uint32_t voice; "
+        more = "  uint32_t hearing_example; /**< New. */\n  uint32_t reserved; /**< 0. */\n"
+        header.write_text(header.read_text().replace(last, more + last))
+        config = next(one for one in describe.describe(self.headers)["structs"] if one["name"] == "mimo_agent_config")
+        senses = {one["name"]: one.get("sense") for one in config["members"]}
+        self.assertEqual(senses["hearing_example"], "hearing")
+        self.assertEqual(senses["touch_scale"], "touch")
+        self.assertEqual(senses["limit_threshold"], "proprioception")
+        self.assertEqual((senses["voice"], senses["actuation"]), (None, None))
 
     def test_names_what_a_binding_lacks(self):
         interface = api.load()
