@@ -42,6 +42,9 @@ function mimo_options()
 %                           (silent) to 1 (a cry); "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and
 %                           "voice:front", 0.7 to 1.3 times the first and second formant of its age. Every agent with
 %                           hearing hears it, see docs/guide/hearing.md. 0 (default): no voice. Experimental.
+%     strength              Factor of what an infant's motors and muscles can do, 0.01 to 100, at any age on top of its
+%                           growth's; 0 (default): 1. It is in 'actuator_gear' of worlds, not in the MJCF of scenes. Not
+%                           with 'position', which uses no motors.
 %
 %   Its age and size, with those of an infant:
 %     sex                   A word of Sex. Default 'mean'.

@@ -501,6 +501,7 @@ const member mimo_agent_options[] = {
     {"vestibular_at", kText, 1, offsetof(mimo_agent_config, vestibular_at), NULL},
     {"hearing", kUnsigned, 1, offsetof(mimo_agent_config, hearing), &mimo_hearing_words},
     {"voice", kSwitch, 1, offsetof(mimo_agent_config, voice), NULL},
+    {"strength", kNumbers, 1, offsetof(mimo_agent_config, strength), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 

@@ -57,6 +57,15 @@ actuation::Options actuation(const mimo_agent_config& config) {
   return options;
 }
 
+// Infants' only: the gears of other models may mean anything.
+double strength(const mimo_agent_config& config) {
+  const double factor = config.strength == 0 ? 1 : config.strength;
+  require(factor >= 0.01 && factor <= 100, "strength is {}, expected 0.01 to 100, or 0 for 1", factor);
+  const bool has_motors = text(config.root).empty() && config.actuation != MIMO_ACTUATION_POSITION;
+  require(factor == 1 || has_motors, "strength is {}, expected 1 with a root or MIMO_ACTUATION_POSITION", factor);
+  return factor;
+}
+
 senses::VestibularOptions vestibular(const mimo_agent_config& config) {
   check_bits(config.vestibular, header::kVestibular, "vestibular");
   return {config.vestibular, text(config.vestibular_at)};
@@ -91,6 +100,7 @@ env::AgentOptions agent_options(const mimo_agent_config& config) {
   options.voice = config.voice != 0;
   options.face = text(config.face);
   options.actuation = actuation(config);
+  options.strength = strength(config);
   options.reflexes = reflexes(config);
   options.root = text(config.root);
   return options;

@@ -56,6 +56,7 @@ void for_each_member(mimo_agent_config& all, Visit&& visit) {
   visit("vestibular_at", all.vestibular_at);
   visit("hearing", all.hearing);
   visit("voice", all.voice);
+  visit("strength", all.strength);
 }
 
 template <typename Visit>

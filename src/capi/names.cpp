@@ -281,6 +281,7 @@ const std::string_view kNames[] = {
     "mimo_agent_config.proprioception",
     "mimo_agent_config.reflexes",
     "mimo_agent_config.root",
+    "mimo_agent_config.strength",
     "mimo_agent_config.struct_size",
     "mimo_agent_config.touch",
     "mimo_agent_config.touch_frame",

@@ -72,6 +72,7 @@ struct AgentOptions {
   senses::HearingOptions hearing;
   bool voice = false;  // of an infant
   actuation::Options actuation;
+  double strength = 1;     // of an infant: factor of its motors' gears
   ReflexOptions reflexes;  // of an infant
   senses::TouchOptions touch;
   growth::Growth growth;                        // of an infant

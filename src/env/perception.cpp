@@ -283,6 +283,9 @@ Agent make_agent(engine::Physics& physics, const AgentOptions& options, const Se
   }
   add_sense(agent, options,
             std::make_unique<observation::Signals>(observation::Share::kTask, agent.task->signals(model)));
+  if (options.strength != 1) {  // where it is 1, worlds share their gears
+    for (const int motor : agent.body.actuators) physics.gear(motor) *= options.strength;
+  }
   if (!options.face.empty()) physics.paint(agent.faces.geom, agent.faces.find(options.face).material);
   return agent;
 }
@@ -298,6 +301,7 @@ Perception perceive_only(const mjModel& model, const AgentOptions& options, cons
       actuation::is_muscle(options.actuation.mode)) {
     fail(Status::kUnsupported, "effort and muscles: attached senses see the host's simulation, not what commands it");
   }
+  if (options.strength != 1) fail(Status::kUnsupported, "strength: with attached senses the motors are the host's");
   if (options.voice) {
     fail(Status::kUnsupported, "voice: with attached senses there are no actions; let the head play what it says");
   }

@@ -99,7 +99,7 @@ MEMBER(mimo_growth, keep_spacing, 100, 4);
 MEMBER(mimo_growth, maturity, 104, 4);
 MEMBER(mimo_growth, reserved, 108, 4);
 
-_Static_assert(sizeof(mimo_agent_config) == 208, "mimo_agent_config");
+_Static_assert(sizeof(mimo_agent_config) == 216, "mimo_agent_config");
 MEMBER(mimo_agent_config, struct_size, 0, 4);
 MEMBER(mimo_agent_config, place, 4, 4);
 MEMBER(mimo_agent_config, name, 8, 8);
@@ -129,6 +129,7 @@ MEMBER(mimo_agent_config, vestibular_at, 184, 8);
 MEMBER(mimo_agent_config, growth, 192, 8);
 MEMBER(mimo_agent_config, hearing, 200, 4);
 MEMBER(mimo_agent_config, voice, 204, 4);
+MEMBER(mimo_agent_config, strength, 208, 8);
 
 _Static_assert(sizeof(mimo_limits) == 48, "mimo_limits");
 MEMBER(mimo_limits, struct_size, 0, 4);

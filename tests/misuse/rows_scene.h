@@ -91,7 +91,9 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_UNKNOWN(reflexes, 0x80000080), DO(root_with_reflexes, E_ARG, "reflexes"),
     UNREAL(agent_config, mimo_agent_config, touch_scale, "touch_scale"), AGENT_REAL(touch_scale, -1, "touch_scale"),
     UNREAL(agent_config, mimo_agent_config, touch_slip_threshold, "touch_slip_threshold"),
-    AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"), DO(bad_agent_name, E_ARG, "an na"),
+    AGENT_REAL(touch_slip_threshold, -1, "touch_slip_threshold"),
+    UNREAL(agent_config, mimo_agent_config, strength, "strength"), AGENT_REAL(strength, -1, "strength"),
+    AGENT_REAL(strength, 101, "strength"), DO(bad_agent_name, E_ARG, "an na"),
     DO(unknown_body, MIMO_E_NOT_FOUND, "centaur"), DO(taken_agent, E_ARG, "name"),
     DO(root_and_body, E_ARG, "root is \"torso\""), DO(root_and_groups, E_ARG, "acts"), GROWTH,
     DO(apart, E_ARG, "physiological_age"), DO(two_measures, E_ARG, "percentile"))

@@ -289,6 +289,11 @@ namespace Mimo
         /// (default): no voice.</summary>
         public bool Voice { get { return raw.voice != 0; } set { raw.voice = value ? 1u : 0u; } }
 
+        /// <summary>Factor of what an infant's motors and muscles can do, 0.01 to 100, at any age on top of its
+        /// growth's; 0 (default): 1. It is in Quantity.ActuatorGear of worlds, not in the MJCF of scenes. Not with
+        /// Actuation.Position, which uses no motors.</summary>
+        public double Strength { get { return raw.strength; } set { raw.strength = value; } }
+
         /// <summary>The struct, valid as long as the parts.</summary>
         internal AgentConfigStruct Raw(PinnedParts parts)
         {

@@ -209,8 +209,9 @@ namespace Mimo
         internal IntPtr growth;
         internal uint hearing;
         internal uint voice;
+        internal double strength;
 
-        internal const uint Bytes = 208;
+        internal const uint Bytes = 216;
 
         internal static AgentConfigStruct New()
         {

@@ -28,12 +28,12 @@ internal static partial class Tests
             "struct_size 0 4, sex 4 4, age 8 8, physiological_age 16 8, matures_apart 24 4, model 28 4, z_length 32 " +
             "8, z_weight 40 8, z_head 48 8, percentile 56 8, strength_exponent 64 8, neck_strength 72 8, birth_tone " +
             "80 8, contracture 88 8, absolute 96 4, keep_spacing 100 4, maturity 104 4, reserved 108 4" },
-        { typeof(AgentConfigStruct), "208: " +
+        { typeof(AgentConfigStruct), "216: " +
             "struct_size 0 4, place 4 4, name 8 8, body 16 8, position 24 24, orientation 48 32, proprioception 80 4, " +
             "vestibular 84 4, limit_threshold 88 8, vision 96 4, vision_width 100 4, vision_height 104 4, actuation " +
             "108 4, vision_fovy 112 8, vision_foveation 120 8, acts 128 4, normalize_actions 132 4, touch 136 4, " +
             "touch_response 140 4, touch_frame 144 4, reflexes 148 4, touch_scale 152 8, touch_slip_threshold 160 8, " +
-            "face 168 8, root 176 8, vestibular_at 184 8, growth 192 8, hearing 200 4, voice 204 4" },
+            "face 168 8, root 176 8, vestibular_at 184 8, growth 192 8, hearing 200 4, voice 204 4, strength 208 8" },
         { typeof(LimitsStruct), "48: " +
             "struct_size 0 4, reserved 4 4, delay 8 8, gain 16 8, noise 24 8, blur 32 8, signal_noise 40 8" },
         { typeof(LayoutInfoStruct), "56: " +

@@ -188,6 +188,7 @@ class AgentConfig(Struct):
         ("growth", POINTER(Growth)),
         ("hearing", c_uint32),
         ("voice", c_uint32),
+        ("strength", c_double),
     ]
 
 

@@ -253,6 +253,12 @@ class InfantOptions(TypedDict, total=False):
     of its age. Every agent with hearing hears it, see docs/guide/hearing.md. False (default): no voice. Experimental.
     """
 
+    strength: float
+    """Factor of what an infant's motors and muscles can do, 0.01 to 100, at any age on top of its growth's; 0
+    (default): 1. It is in Quantity.ACTUATOR_GEAR of worlds, not in the MJCF of scenes. Not with Actuation.POSITION,
+    which uses no motors.
+    """
+
 
 class PhysicsOptions(TypedDict, total=False):
     """Settings of a world."""

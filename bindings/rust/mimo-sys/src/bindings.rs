@@ -1387,6 +1387,10 @@ pub struct mimo_agent_config {
     ///
     /// Experimental.
     pub voice: u32,
+    /// Factor of what an infant's motors and muscles can do, 0.01 to 100, at any age on top of its growth's; 0
+    /// (default): 1. It is in MIMO_ACTUATOR_GEAR of worlds, not in the MJCF of scenes. Not with
+    /// MIMO_ACTUATION_POSITION, which uses no motors.
+    pub strength: f64,
 }
 
 /// Imperfections of a sense or motor. A sense or motor without limits costs nothing.

@@ -691,6 +691,14 @@ impl AgentConfig {
         self.raw.voice = voice.into();
         self
     }
+
+    /// Factor of what an infant's motors and muscles can do, 0.01 to 100, at any age on top of its growth's; 0
+    /// (default): 1. It is in [`Quantity::ACTUATOR_GEAR`](crate::Quantity::ACTUATOR_GEAR) of worlds, not in the MJCF
+    /// of scenes. Not with [`Actuation::POSITION`](crate::Actuation::POSITION), which uses no motors.
+    pub fn strength(&mut self, strength: f64) -> &mut Self {
+        self.raw.strength = strength;
+        self
+    }
 }
 
 /// Settings of a world.
