@@ -270,6 +270,7 @@ function mimo_options()
 %     'nociception_fast'    touch/nociception_fast: pricks and heat, at once. Experimental.
 %     'nociception_slow'    touch/nociception_slow: pricks, heat and cold, late and lasting. Experimental.
 %     'units'               touch/units, N x 4: number of 'sa1', 'ra', 'pc', 'sa2' units per sensor. Experimental.
+%     'ct'                  touch/ct: how hairy skin is stroked, at most 100. Experimental.
 %
 %   Words of TouchResponse: Which touch sensors feel how much of a contact.
 %     'nearest'             The nearest sensor feels the whole touch.

@@ -195,6 +195,7 @@ static const word touch_words[] = {
     {"nociception_fast", MIMO_TOUCH_NOCICEPTION_FAST},
     {"nociception_slow", MIMO_TOUCH_NOCICEPTION_SLOW},
     {"units", MIMO_TOUCH_UNITS},
+    {"ct", MIMO_TOUCH_CT},
     {NULL, 0},
 };
 const enumeration mimo_touch_words = {1, touch_words};

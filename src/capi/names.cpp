@@ -219,6 +219,7 @@ const std::string_view kNames[] = {
     "MIMO_TEXTURE_FLAT",
     "MIMO_TEXTURE_SKY",
     "MIMO_TOUCH_COLD",
+    "MIMO_TOUCH_CT",
     "MIMO_TOUCH_FORCE",
     "MIMO_TOUCH_FRICTION_USE",
     "MIMO_TOUCH_NOCICEPTION_FAST",

@@ -14,7 +14,7 @@ struct Sense {
   std::uint32_t every;                     // bit that there is
 };
 constexpr Sense kSenses[] = {
-    {"touch", &mimo_agent_config::touch, 0x3fff},
+    {"touch", &mimo_agent_config::touch, 0x7fff},
     {"vision", &mimo_agent_config::vision, 0x7},
     {"proprioception", &mimo_agent_config::proprioception, 0x7ff},
     {"vestibular", &mimo_agent_config::vestibular, 0x1f},

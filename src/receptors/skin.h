@@ -183,4 +183,28 @@ constexpr double kFastAdapts = 1;                  // s
 // Speeds of their nerves, m/s: adults', the fast ones' share of what large fibres conduct at.
 constexpr double kFastShare = 13.0 / 56, kSlowSpeed = 0.8;
 
+// C-tactile afferents, of hairy skin: how it is stroked.
+//
+// Strokes of 1 to 10 cm/s excite them most (Loken 2009), and skin of 32 degrees: at 18 they fire 35 % less, at 42 47 %
+// less (Ackerley 2018). They never exceed 100 impulses a second, and tire for long (Vallbo 2016). How fast they fire
+// when fresh, how that falls with the speed, how they tire and recover are estimates.
+
+constexpr double kCtSpeed = 1;  // of their nerves, m/s
+
+// Of fresh ones, for a stroke in m/s on skin of some degrees. Hz.
+inline double ct_drive(double speed, double temperature) {
+  constexpr double kMost = 50, kBestSpeed = 0.03, kCurvature = 0.6, kBestTemperature = 32;
+  constexpr double kWidthBelow = 21.33, kWidthAbove = 12.55;  // 0.65 at 18 degrees, 0.53 at 42
+  const double decades = std::log10(speed / kBestSpeed), off = temperature - kBestTemperature;
+  const double share = off / (off < 0 ? kWidthBelow : kWidthAbove);
+  return kMost * std::max(0.0, 1 - kCurvature * decades * decades) * std::exp(-share * share);
+}
+
+// How tired they are, 0 to 1, some seconds later: each impulse takes a share of what is fresh, which comes back slowly.
+inline double ct_fatigue(double before, double drive, double seconds) {
+  constexpr double kShare = 0.003, kRecovers = 20;  // of an impulse, s
+  const double pace = kShare * drive + 1 / kRecovers, end = kShare * drive / pace;
+  return end + (before - end) * std::exp(-pace * seconds);
+}
+
 }  // namespace mimo::receptors

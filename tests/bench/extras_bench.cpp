@@ -6,6 +6,7 @@
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels, in steps of a third world without eyes: what
 //                                   pictures take depends on how wide the processor's vectors are
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
+//   bench_extras caresses [STEPS]   C-tactile afferents of the skin alone
 //   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
 //   bench_extras voice [STEPS]      the same with a voice that speaks, against ears without one
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
@@ -37,7 +38,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-enum class Extra { kContacts, kDelays, kEyes, kSkin, kReceptors, kReflexes, kHearing, kVoice, kRecording };
+enum class Extra { kContacts, kDelays, kEyes, kSkin, kCaresses, kReceptors, kReflexes, kHearing, kVoice, kRecording };
 
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
@@ -74,6 +75,7 @@ mimo_env* make(Extra extra, bool has, bool sees) {
     agent.touch |= MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE |
                    MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
   }
+  if (has && extra == Extra::kCaresses) agent.touch |= MIMO_TOUCH_CT;
   if ((has && extra == Extra::kHearing) || extra == Extra::kVoice)
     agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   agent.voice = has && extra == Extra::kVoice ? 1 : 0;
@@ -119,6 +121,7 @@ int main(int argc, char** argv) {
   const Extra extra = what == "eyes"        ? Extra::kEyes
                       : what == "delays"    ? Extra::kDelays
                       : what == "skin"      ? Extra::kSkin
+                      : what == "caresses"  ? Extra::kCaresses
                       : what == "hearing"   ? Extra::kHearing
                       : what == "voice"     ? Extra::kVoice
                       : what == "receptors" ? Extra::kReceptors

@@ -52,6 +52,7 @@ CONTACTS = ["bench_extras", "contacts"]
 DELAYS = ["bench_extras", "delays", "1500"]
 EYES = ["bench_extras", "eyes"]
 SKIN = ["bench_extras", "skin", "1500"]
+CARESSES = ["bench_extras", "caresses", "1500"]
 REFLEXES = ["bench_extras", "reflexes", "1500"]
 VOICE = ["bench_extras", "voice", "1500"]
 HEARING = ["bench_extras", "hearing", "1500"]
@@ -117,6 +118,7 @@ RATIOS = [
     ("a newborn's nerves, over the step without eyes", DELAYS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's eyes, over the step without eyes", EYES, in_text(r"(-?[\d.]+) of a step more")),
     ("receptors of skin, over the step without eyes", SKIN, in_text(r"(-?[\d.]+) of a step more")),
+    ("caresses of skin, over the step without eyes", CARESSES, in_text(r"(-?[\d.]+) of a step more")),
     ("hearing, over the step without eyes", HEARING, in_text(r"(-?[\d.]+) of a step more")),
     ("a voice, over the step without eyes that hears", VOICE, in_text(r"(-?[\d.]+) of a step more")),
     ("all receptors, over the step without eyes", RECEPTORS, in_text(r"(-?[\d.]+) of a step more")),

@@ -85,7 +85,7 @@ ROW(mimo_scene_add_agent, ON_ROOM, mimo_scene_add_agent(a->room, a->agent_config
     AGENT_UNKNOWN(actuation, 4), UNREAL(agent_config, mimo_agent_config, vision_fovy, "vision_fovy"),
     AGENT_REAL(vision_fovy, 171, "vision_fovy"), UNREAL(agent_config, mimo_agent_config, vision_foveation, "foveation"),
     AGENT_REAL(vision_foveation, 101, "vision_foveation"), AGENT_UNKNOWN(acts, 0x800), AGENT(acts, 0x40000001),
-    AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x4000), AGENT(touch, 3),
+    AGENT_UNKNOWN(acts, 0x80000800), AGENT_UNKNOWN(normalize_actions, 2), AGENT_UNKNOWN(touch, 0x8000), AGENT(touch, 3),
     AGENT_UNKNOWN(touch_response, 0), AGENT_UNKNOWN(touch_response, 4), AGENT_UNKNOWN(touch_frame, 0),
     AGENT_UNKNOWN(touch_frame, -1), AGENT_UNKNOWN(hearing, 4), AGENT_UNKNOWN(voice, 2), AGENT_UNKNOWN(reflexes, 0x80),
     AGENT_UNKNOWN(reflexes, 0x80000080), DO(root_with_reflexes, E_ARG, "reflexes"),

@@ -71,6 +71,7 @@ def test_costs():
     page = Page("guide/skin.md")
     page.says("this page takes {} of a step without eyes", ratios["receptors of skin, over the step without eyes"])
     page.says("receptors of muscles and joints {}.", ratios["all receptors, over the step without eyes"])
+    page.says("Caresses alone take {}:", round(ratios["caresses of skin, over the step without eyes"], 2))
     Page("guide/recordings.md").says(
         "the compression: {} of a step without eyes", ratios["recorded, over the step without eyes"]
     )

@@ -32,6 +32,7 @@ SKIN = {
     "touch/warm": ((), "Hz"),
     "touch/nociception_fast": ((), "Hz"),
     "touch/nociception_slow": ((), "Hz"),
+    "touch/ct": ((), "Hz"),
     "touch/units": ((4,), ""),
 }
 MUSCLES = (

@@ -8,7 +8,7 @@ import pytest
 
 import mimo
 
-SKIN = ("sa1", "ra", "pc", "sa2", "temperature", "cold", "warm", "nociception_fast", "nociception_slow")
+SKIN = ("sa1", "ra", "pc", "sa2", "temperature", "cold", "warm", "nociception_fast", "nociception_slow", "ct")
 NERVES = [f"touch/{name}" for name in SKIN]
 NERVES += [f"vestibular/{name}" for name in ("canals", "otoliths", "gravity")]
 NERVES += [

@@ -344,7 +344,9 @@ namespace Mimo
         /// <summary>touch/nociception_slow: pricks, heat and cold, late and lasting.</summary>
         NociceptionSlow = 0x1000,
         /// <summary>touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor.</summary>
-        Units = 0x2000
+        Units = 0x2000,
+        /// <summary>touch/ct: how hairy skin is stroked, at most 100.</summary>
+        Ct = 0x4000
     }
 
     /// <summary>Which touch sensors feel how much of a contact.</summary>

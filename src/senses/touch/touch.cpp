@@ -25,7 +25,7 @@ using engine::Kind;
 constexpr std::uint32_t kTouchNerves = MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2;
 constexpr std::uint32_t kWarmthNerves = MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD | MIMO_TOUCH_WARM;
 constexpr std::uint32_t kPainNerves = MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
-static_assert((kTouchNerves | kWarmthNerves | kPainNerves | MIMO_TOUCH_UNITS) == kSkinNerves);
+static_assert((kTouchNerves | kWarmthNerves | kPainNerves | MIMO_TOUCH_CT | MIMO_TOUCH_UNITS) == kSkinNerves);
 
 const char* frame_name(TouchFrame frame) {
   switch (frame) {
@@ -78,15 +78,19 @@ class Nerves : public observation::Process {
         skin_(std::move(skin)),
         things_(std::move(things)),
         patches_(touch::patches(model, body, *skin_)),
-        wants_warmth_(has_bit(options.wanted, kWarmthNerves | kPainNerves)),
+        wants_warmth_(has_bit(options.wanted, kWarmthNerves | kPainNerves | MIMO_TOUCH_CT)),
         wants_pain_(has_bit(options.wanted, kPainNerves)),
+        wants_caresses_(has_bit(options.wanted, MIMO_TOUCH_CT)),
         wants_rates_of_warmth_(has_bit(options.wanted, MIMO_TOUCH_COLD | MIMO_TOUCH_WARM)),
-        felt_(*skin_, options.response,
-              {has_bit(options.wanted, kTouchNerves | kPainNerves), wants_pain_, options.slip_threshold}, *things_),
+        felt_(
+            *skin_, options.response,
+            {has_bit(options.wanted, kTouchNerves | kPainNerves | MIMO_TOUCH_CT), wants_pain_, options.slip_threshold},
+            *things_),
         rattle_(rattle),
         afferents_(patches_, rattle, options.slip_threshold, tick),
         warmth_(patches_, *things_, tick),
-        pain_(patches_, tick) {}
+        pain_(patches_, tick),
+        caresses_(model, body, *skin_, patches_, options.slip_threshold, tick) {}
 
   std::vector<Signal> signals(std::uint32_t wanted) const;
 
@@ -97,6 +101,7 @@ class Nerves : public observation::Process {
     stale_ = false;
     warmth_.rest();
     pain_.rest();
+    caresses_.rest();
   }
   void go_on(const mjModel& model, const mjData& data) override {
     felt_.take_in(model, data);
@@ -104,18 +109,21 @@ class Nerves : public observation::Process {
     stale_ = true;
     if (wants_warmth_) warmth_.go_on(felt_, afferents_);
     if (wants_pain_) pain_.go_on(felt_, rattle_, warmth_);
+    if (wants_caresses_) caresses_.go_on(felt_, afferents_, warmth_);
   }
   void save(ByteWriter& to) const override {
     tell();
     afferents_.save(to);
     if (wants_warmth_) warmth_.save(to);
     if (wants_pain_) pain_.save(to);
+    if (wants_caresses_) caresses_.save(to);
   }
   void load(ByteReader& from) override {
     stale_ = false;
     afferents_.load(from);
     if (wants_warmth_) warmth_.load(from);
     if (wants_pain_) pain_.load(from);
+    if (wants_caresses_) caresses_.load(from);
   }
 
   // Rates are worked out when they are looked at.
@@ -129,22 +137,22 @@ class Nerves : public observation::Process {
   // Fills all of a field.
   using Fill = std::function<void(float* out)>;
   Signal signal(const char* name, std::size_t channels, Fill fill, const char* unit = "Hz") const;
-  Signal rate(const char* name, touch::Afferents::Rate rate) const;
-  Signal rate(const char* name, touch::Pain::Rate rate) const;
-  Signal stretch() const;
+  // The same where most sensors are silent: fills in the others.
+  Signal rate(const char* name, Fill fill, std::size_t channels = 1) const;
   Signal told(const char* name, const std::vector<float>& values, const char* unit = "Hz") const;
   Signal units() const;
 
   std::shared_ptr<const touch::Skin> skin_;
   touch::ThingsPtr things_;
   std::vector<touch::Patch> patches_;
-  bool wants_warmth_, wants_pain_, wants_rates_of_warmth_;
+  bool wants_warmth_, wants_pain_, wants_caresses_, wants_rates_of_warmth_;
   mutable bool stale_ = false;  // rates are of an earlier step
   touch::Felt felt_;
   const touch::Rattle& rattle_;
   mutable touch::Afferents afferents_;
   mutable touch::Warmth warmth_;
   touch::Pain pain_;
+  touch::Caresses caresses_;
 };
 
 Signal Nerves::signal(const char* name, std::size_t channels, Fill fill, const char* unit) const {
@@ -164,26 +172,10 @@ Signal Nerves::signal(const char* name, std::size_t channels, Fill fill, const c
           }};
 }
 
-// Most sensors are silent.
-Signal Nerves::rate(const char* name, touch::Afferents::Rate rate) const {
-  return signal(name, 1, [this, rate](float* out) {
-    std::fill_n(out, patches_.size(), 0.0F);
-    afferents_.fill_in(rate, out);
-  });
-}
-
-Signal Nerves::rate(const char* name, touch::Pain::Rate rate) const {
-  return signal(name, 1, [this, rate](float* out) {
-    std::fill_n(out, patches_.size(), 0.0F);
-    pain_.fill_in(rate, out);
-  });
-}
-
-Signal Nerves::stretch() const {
-  return signal("sa2", 2, [this](float* out) {
-    std::fill_n(out, 2 * patches_.size(), 0.0F);
-    afferents_.fill_in(touch::Afferents::kSa2Along, out, 2);
-    afferents_.fill_in(touch::Afferents::kSa2Across, out + 1, 2);
+Signal Nerves::rate(const char* name, Fill fill, std::size_t channels) const {
+  return signal(name, channels, [count = channels * patches_.size(), fill = std::move(fill)](float* out) {
+    std::fill_n(out, count, 0.0F);
+    fill(out);
   });
 }
 
@@ -216,15 +208,24 @@ std::vector<Signal> Nerves::signals(std::uint32_t wanted) const {
     signal.field.nerve_speed = speed;
     signals.push_back(std::move(signal));
   };
-  add(MIMO_TOUCH_SA1, rate("sa1", touch::Afferents::kSa1));
-  add(MIMO_TOUCH_RA, rate("ra", touch::Afferents::kRa));
-  add(MIMO_TOUCH_PC, rate("pc", touch::Afferents::kPc));
-  add(MIMO_TOUCH_SA2, stretch());
+  const auto afferents = [this](touch::Afferents::Rate rate) {
+    return [this, rate](float* out) { afferents_.fill_in(rate, out); };
+  };
+  const auto pain = [this](touch::Pain::Rate rate) { return [this, rate](float* out) { pain_.fill_in(rate, out); }; };
+  const auto stretch = [this](float* out) {
+    afferents_.fill_in(touch::Afferents::kSa2Along, out, 2);
+    afferents_.fill_in(touch::Afferents::kSa2Across, out + 1, 2);
+  };
+  add(MIMO_TOUCH_SA1, rate("sa1", afferents(touch::Afferents::kSa1)));
+  add(MIMO_TOUCH_RA, rate("ra", afferents(touch::Afferents::kRa)));
+  add(MIMO_TOUCH_PC, rate("pc", afferents(touch::Afferents::kPc)));
+  add(MIMO_TOUCH_SA2, rate("sa2", stretch, 2));
   add(MIMO_TOUCH_TEMPERATURE, told("temperature", warmth_.temperature(), "degC"));
   add(MIMO_TOUCH_COLD, told("cold", warmth_.cold()), 6.3 / 56);
   add(MIMO_TOUCH_WARM, told("warm", warmth_.warm()), 1, 0.7);
-  add(MIMO_TOUCH_NOCICEPTION_FAST, rate("nociception_fast", touch::Pain::kFast), receptors::kFastShare);
-  add(MIMO_TOUCH_NOCICEPTION_SLOW, rate("nociception_slow", touch::Pain::kSlow), 1, receptors::kSlowSpeed);
+  add(MIMO_TOUCH_NOCICEPTION_FAST, rate("nociception_fast", pain(touch::Pain::kFast)), receptors::kFastShare);
+  add(MIMO_TOUCH_NOCICEPTION_SLOW, rate("nociception_slow", pain(touch::Pain::kSlow)), 1, receptors::kSlowSpeed);
+  add(MIMO_TOUCH_CT, rate("ct", [this](float* out) { caresses_.fill_in(out); }), 1, receptors::kCtSpeed);
   add(MIMO_TOUCH_UNITS, units());
   return signals;
 }

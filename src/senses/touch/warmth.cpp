@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/fail.h"
+#include "body/face.h"
 #include "receptors/skin.h"
 
 namespace mimo::senses::touch {
@@ -25,6 +27,24 @@ struct Eights {
   }
   Eight temperature, change;
 };
+
+constexpr double kFresh = 1e-3;  // less fatigue counts as none
+
+// The distal parts of the limbs may lack C-tactile afferents (Vallbo 1999).
+bool is_hairy(receptors::Region region) {
+  using receptors::Region;
+  return region == Region::kFace || region == Region::kTrunk || region == Region::kArm || region == Region::kThigh ||
+         region == Region::kLeg;
+}
+
+// Between the corners of the mouth; how high they are is an estimate.
+bool is_on_lips(const body::Mouth& mouth, const Vec3& position) {
+  constexpr double kHeight = 0.36;  // of their width
+  const Vec3 at = position - mouth.middle, &corner = mouth.corners[0];
+  if (!(at.x() > 0)) return false;
+  const double side = at.y() / at.x(), up = at.z() / at.x(), width = corner.y() / corner.x();
+  return std::abs(side) <= width && std::abs(up - corner.z() / corner.x()) <= kHeight * width;
+}
 
 }  // namespace
 
@@ -265,6 +285,59 @@ void Pain::load(ByteReader& from) {
     for (std::size_t sensor = 0; sensor < patches_.size(); ++sensor) {
       put(kFirstRate + std::size_t{rate}, sensor, static_cast<double>(from.take<float>()));
     }
+  }
+}
+
+Caresses::Caresses(const mjModel& model, const body::Body& body, const Skin& skin, const std::vector<Patch>& patches,
+                   double slip_threshold, double tick)
+    : hairy_(patches.size()),
+      slip_threshold_(slip_threshold),
+      tick_(tick),
+      kept_(receptors::ct_fatigue(1, 0, tick)),
+      table_(patches.size()) {
+  const std::optional<body::Mouth> mouth = body::find_mouth(model, body);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const Sensor& sensor = skin.sensors()[i];
+    const bool on_lips = mouth && sensor.body == body.head && is_on_lips(*mouth, sensor.position);
+    hairy_[i] = is_hairy(patches[i].region) && !on_lips ? 1 : 0;
+  }
+}
+
+void Caresses::go_on(const Felt& felt, const Afferents& afferents, const Warmth& warmth) {
+  for (const int id : afferents.restless()) {
+    const auto sensor = static_cast<std::size_t>(id);
+    if (hairy_[sensor] == 0) continue;
+    const double speed = afferents.slide(felt, sensor).speed;
+    if (!(speed > slip_threshold_)) continue;
+    table_[kDrive][table_.add(id)] = receptors::ct_drive(speed, static_cast<double>(warmth.now(sensor)));
+  }
+  for (std::size_t i = table_.size(); i-- > 0;) {
+    double &fatigue = table_[kFatigue][i], &drive = table_[kDrive][i];
+    fatigue = drive == 0 ? kept_ * fatigue : receptors::ct_fatigue(fatigue, drive, tick_);
+    table_[kRate][i] = drive * (1 - fatigue);
+    if (drive == 0 && fatigue < kFresh)
+      table_.remove(i);
+    else
+      drive = 0;
+  }
+}
+
+void Caresses::save(ByteWriter& to) const {
+  for (std::size_t sensor = 0; sensor < hairy_.size(); ++sensor) {
+    for (const std::size_t column : {kFatigue, kRate}) to.put(table_.number(column, sensor));
+  }
+}
+
+void Caresses::load(ByteReader& from) {
+  table_.clear();
+  for (std::size_t sensor = 0; sensor < hairy_.size(); ++sensor) {
+    const double fatigue = from.take_finite("a C-tactile afferent"), rate = from.take_finite("a C-tactile afferent");
+    require(fatigue >= 0 && fatigue <= 1 && rate >= 0, "the state holds a C-tactile afferent with fatigue {} and {} Hz",
+            fatigue, rate);
+    if (fatigue == 0 && rate == 0) continue;
+    const std::size_t place = table_.add(static_cast<int>(sensor));
+    table_[kFatigue][place] = fatigue;
+    table_[kRate][place] = rate;
   }
 }
 

@@ -1,4 +1,5 @@
-// How warm a skin is, sensor by sensor, and what its cold and warm receptors and its nociceptors report.
+// How warm a skin is, sensor by sensor, and what depends on it: cold and warm receptors, nociceptors, C-tactile
+// afferents.
 #pragma once
 
 #include "base/bytes.h"
@@ -104,6 +105,31 @@ class Pain {
 
   const std::vector<Patch>& patches_;
   double kept_;
+  Restless<kColumns> table_;
+};
+
+// C-tactile afferents of a skin, sensor by sensor. Only hairy skin has any: neither hands and feet nor lips.
+
+class Caresses {
+ public:
+  Caresses(const mjModel& model, const body::Body& body, const Skin& skin, const std::vector<Patch>& patches,
+           double slip_threshold, double tick);
+
+  void rest() { table_.clear(); }
+  void go_on(const Felt& felt, const Afferents& afferents, const Warmth& warmth);
+
+  // Fills the rate in where a sensor is not at rest, Hz: there it is 0.
+  void fill_in(float* out) const { table_.spread(kRate, out); }
+
+  void save(ByteWriter& to) const;
+  void load(ByteReader& from);
+
+ private:
+  enum Column : std::size_t { kFatigue, kRate, kDrive, kColumns };  // kDrive: the rate of fresh ones, in this tick
+
+  std::vector<char> hairy_;  // by sensor
+  double slip_threshold_, tick_;
+  double kept_;  // share of the fatigue that a tick of rest leaves
   Restless<kColumns> table_;
 };
 

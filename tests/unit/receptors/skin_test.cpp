@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mimo::receptors {
@@ -201,6 +202,47 @@ TEST(Nociceptors, FireForHeatAndCold) {
   // Wood of 60 degrees never brings skin to 43, copper does within 5 s.
   EXPECT_LT(touched_temperature<double>(touching(33, 60, 380), 1e4), 43);
   EXPECT_GT(touched_temperature<double>(touching(33, 60, 37048), 5), 43);
+}
+
+constexpr double kCentimetre = 0.01;  // m/s
+
+// Loken 2009: most vigorous at 1 to 10 cm/s, less at 0.3 and at 30. Vallbo 2016: never above 100 impulses a second.
+TEST(Caresses, AreFeltMostAtTheirSpeed) {
+  const auto drive = [](double speed) { return ct_drive(speed * kCentimetre, 32); };
+  const double best = std::max({drive(1), drive(3), drive(10)});
+  EXPECT_LE(best, 100);
+  EXPECT_EQ(best, drive(3));
+  for (const double slow_or_fast : {0.1, 0.3, 30.0, 100.0}) {
+    EXPECT_LT(drive(slow_or_fast), std::min(drive(1), drive(10))) << slow_or_fast;
+  }
+  EXPECT_GT(std::min(drive(1), drive(10)), 0.8 * best);
+  EXPECT_GT(drive(0.3), 0);
+  EXPECT_GT(drive(30), 0);
+  EXPECT_EQ(drive(0), 0);
+  // The tuning is even in the logarithm of the speed, as Loken's quadratic fits are: 0.3 and 30 are a decade off.
+  EXPECT_NEAR(drive(0.3), 0.4 * best, 1e-9);
+  EXPECT_NEAR(drive(30), 0.4 * best, 1e-9);
+}
+
+// Ackerley 2018: rates fall by 35 % at 18 degrees, by 47 % at 42, from those at 32; 2014: at any speed of 0.3 to 30
+// cm/s.
+TEST(Caresses, AreFeltMostOnSkinOf32Degrees) {
+  for (const double speed : {0.3, 1.0, 3.0, 10.0, 30.0}) {
+    const double at_32 = ct_drive(speed * kCentimetre, 32);
+    EXPECT_NEAR(ct_drive(speed * kCentimetre, 18) / at_32, 0.65, 0.001) << speed;
+    EXPECT_NEAR(ct_drive(speed * kCentimetre, 42) / at_32, 0.53, 0.001) << speed;
+  }
+}
+
+// Estimates: each impulse takes 0.3 % of what is fresh, which comes back with 20 s. At 50 Hz it goes with 1 / (0.15 +
+// 0.05) = 5 s to 0.15 / 0.2 = 0.75, and in 20 s of rest back to 1 / e of that; whatever the steps.
+TEST(Caresses, Tire) {
+  double tired = 0;
+  for (int i = 0; i < 1000; ++i) tired = ct_fatigue(tired, 50, 0.005);
+  EXPECT_NEAR(tired, 0.75 * (1 - std::exp(-1)), 1e-9);
+  EXPECT_NEAR(ct_fatigue(0, 50, 5), tired, 1e-9);
+  EXPECT_NEAR(ct_fatigue(0, 50, 1000), 0.75, 1e-9);
+  EXPECT_NEAR(ct_fatigue(0.75, 0, 20), 0.75 * std::exp(-1), 1e-9);
 }
 
 }  // namespace

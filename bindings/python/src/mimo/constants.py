@@ -465,6 +465,9 @@ class Touch(IntFlag):
     UNITS = 0x2000
     """touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor. Experimental."""
 
+    CT = 0x4000
+    """touch/ct: how hairy skin is stroked, at most 100. Experimental."""
+
 
 class TouchResponse(IntEnum):
     """Which touch sensors feel how much of a contact."""

@@ -618,6 +618,11 @@ pub const MIMO_TOUCH_NOCICEPTION_SLOW: u32 = 4096;
 /// Experimental.
 pub const MIMO_TOUCH_UNITS: u32 = 8192;
 
+/// touch/ct: how hairy skin is stroked, at most 100.
+///
+/// Experimental.
+pub const MIMO_TOUCH_CT: u32 = 16384;
+
 /// Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
 /// way; 0 for what is no part of one.
 ///

@@ -415,6 +415,10 @@ flags! {
     ///
     /// Experimental.
     UNITS = MIMO_TOUCH_UNITS,
+    /// touch/ct: how hairy skin is stroked, at most 100.
+    ///
+    /// Experimental.
+    CT = MIMO_TOUCH_CT,
 }
 
 values! {
