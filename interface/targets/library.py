@@ -199,8 +199,11 @@ def program_senses(api):
         f'    {{"{one.sense}", &mimo_agent_config::{one.sense}, {bits(api, one):#x}}},\n' for one in api.senses()
     )
     times = "".join(f'    {{"{one.sense}", &mimo_timing::{one.sense}}},\n' for one in timed(api))
+    config = api.struct("mimo_agent_config")
+    numbers = [one.name for one in config.members if not one.array and one.type in ("double", "int32_t", "uint32_t")]
+    visits = "".join(f'  visit("{name}", all.{name});\n' for name in numbers if name != "struct_size")
     return f"""// {NOTE}
-// The senses of an agent, and the parts of a step's time.
+// The senses of an agent, the numbers of its config, and the parts of a step's time.
 #pragma once
 
 #include <cstdint>
@@ -225,6 +228,10 @@ constexpr Time kTimes[] = {{
     {{"physics", &mimo_timing::physics}},
 {times}}};
 // clang-format on
+
+template <typename Visit>
+void for_each_number(mimo_agent_config& all, Visit&& visit) {{
+{visits}}}
 
 }}  // namespace cli
 """

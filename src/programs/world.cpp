@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "programs/senses.h"
@@ -191,6 +193,32 @@ void add_receptors(mimo_agent_config& agent) {
   agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
 }
 
+// Sets "strength=0.7". The name of what it sets; "" where there is no such number or it cannot be so.
+std::string set_number(mimo_agent_config& agent, const std::string& setting) {
+  const std::size_t equals = std::min(setting.find('='), setting.size());
+  const std::string name = setting.substr(0, equals);
+  const std::optional<double> value = finite_number(equals == setting.size() ? "" : setting.substr(equals + 1));
+  std::string done;
+  for_each_number(agent, [&](const char* known, auto& number) {
+    using Number = std::decay_t<decltype(number)>;
+    using Limits = std::numeric_limits<Number>;
+    if (name != known || !value) return;
+    const bool fits = *value >= static_cast<double>(Limits::lowest()) && *value <= static_cast<double>(Limits::max());
+    if (!fits || (Limits::is_integer && std::trunc(*value) != *value)) return;
+    number = static_cast<Number>(*value);
+    done = name;
+  });
+  return done;
+}
+
+std::string check_setting(const std::string& setting) {
+  mimo_agent_config agent = mimo::agent_config();
+  if (!set_number(agent, setting).empty()) return "";
+  std::vector<std::string> names;
+  for_each_number(agent, [&](const char* name, auto&) { names.emplace_back(name); });
+  return "expected NAME=VALUE with a number that fits, not '" + setting + "'; names are " + list(names);
+}
+
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
   const bool own = senses == Senses::kOwn;
   auto agent = own ? usual : mimo::agent_config();
@@ -208,6 +236,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
   agent.voice = options.voice ? 1 : 0;
   if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
+  for (const std::string& setting : options.settings) set_number(agent, setting);
   if (senses == Senses::kNone) {
     for (const Sense& sense : kSenses) agent.*sense.bits = 0;
   }
@@ -319,6 +348,13 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
                   "file that holds an infant keeps that one; a file without gets one\n"
                   "only if this is given")
       ->type_name("BODY");
+  command
+      .add_option(
+          "--set", options.settings,
+          "A number of the infant, by its name in mimo_agent_config, as\nstrength=0.7; may be given several times")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(check_setting, ""));
   add_age_options(command, options.age);
 }
 

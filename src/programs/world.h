@@ -6,6 +6,7 @@
 #include <mimo/mimo.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace cli {
 
@@ -28,8 +29,9 @@ void add_maturity_options(CLI::App& command, AgeOptions& options);
 std::optional<mimo_growth> growth_of(const AgeOptions& options);
 
 struct WorldOptions {
-  std::string scene = "benchmark";  // a built-in name or a file
-  std::string body;                 // "" means the default of the scene
+  std::string scene = "benchmark";    // a built-in name or a file
+  std::string body;                   // "" means the default of the scene
+  std::vector<std::string> settings;  // "NAME=VALUE": numbers of mimo_agent_config
   AgeOptions age;
   std::string renderer = "auto";
   std::uint32_t samples = 0;                    // a pixel; 0: the renderer's own

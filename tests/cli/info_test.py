@@ -11,6 +11,17 @@ class Info(Case):
     def info(self, *arguments):
         return json.loads(self.mimo("info", "--vision", "off", "--json", *arguments))
 
+    def test_numbers_of_the_config_are_set_by_their_names(self):
+        usual = self.info("--scene", "reach")["gears"]
+        weak = self.info("--scene", "reach", "--set", "strength=0.5")["gears"]
+        self.assertEqual(usual.keys(), weak.keys())
+        for name, gear in usual.items():
+            self.assertAlmostEqual(weak[name], 0.5 * gear)
+        self.assertIn("strength", self.mimo("info", "--set", "strenght=1", code=2))
+        self.assertIn("NAME=VALUE", self.mimo("info", "--set", "strength", code=2))
+        self.assertIn("NAME=VALUE", self.mimo("info", "--set", "touch=0.5", code=2))
+        self.assertIn("0.01 to 100", self.mimo("info", "--set", "strength=1000", code=1))
+
     def test_eyes_and_nerves_of_an_age(self):
         """Facts of the eyes by their table; delays grow with the distance from the head and shrink with age."""
         newborn, year = (self.info("--scene", "free", "--age", age) for age in ("0", "12"))
