@@ -32,18 +32,18 @@ mimo_model_config default_model_config() {
   return config;
 }
 
-scene::Shape shape_from(std::int32_t shape) {
+scene::ObjectShape shape_from(std::int32_t shape) {
   check_choice(shape, MIMO_SHAPE_SPHERE, MIMO_SHAPE_BOX, "shape");
-  return static_cast<scene::Shape>(shape);
+  return static_cast<scene::ObjectShape>(shape);
 }
 
-const char* sizes_of(scene::Shape shape) {
+const char* sizes_of(scene::ObjectShape shape) {
   switch (shape) {
-    case scene::Shape::kSphere: return "of a sphere its radius";
-    case scene::Shape::kCapsule: return "of a capsule its radius and half the length of its cylinder";
-    case scene::Shape::kCylinder: return "of a cylinder its radius and half its length";
-    case scene::Shape::kEllipsoid: return "of an ellipsoid its three radii";
-    case scene::Shape::kBox: return "of a box half of each of its three edges";
+    case scene::ObjectShape::kSphere: return "of a sphere its radius";
+    case scene::ObjectShape::kCapsule: return "of a capsule its radius and half the length of its cylinder";
+    case scene::ObjectShape::kCylinder: return "of a cylinder its radius and half its length";
+    case scene::ObjectShape::kEllipsoid: return "of an ellipsoid its three radii";
+    case scene::ObjectShape::kBox: return "of a box half of each of its three edges";
   }
   return "";
 }

@@ -125,7 +125,7 @@ mimo_maturity perfect() {
 mimo_maturity maturity_of(double age) {
   require(age >= 0 && age <= growth::kOldest, "age is {}, expected 0 to {} months", age, growth::kOldest);
   mimo_maturity maturity = perfect();
-  const growth::Eyesight eyes = growth::eyesight_at(age);
+  const growth::EyeMaturity eyes = growth::eye_maturity_at(age);
   maturity.acuity = eyes.acuity;
   maturity.peak_contrast = eyes.peak_contrast;
   maturity.chroma = eyes.chroma;

@@ -86,7 +86,7 @@ Maturity maturity_of(const AgentOptions& options) {
   const growth::Growth& growth = options.growth;
   Maturity maturity;
   if (growth.eyes) {
-    const growth::Eyesight eyes = growth::eyesight_at(growth.physiological_age);
+    const growth::EyeMaturity eyes = growth::eye_maturity_at(growth.physiological_age);
     maturity.eyes = {eyes.acuity, eyes.peak_contrast, eyes.chroma, growth.flicker ? eyes.flicker : 0, growth.threshold};
   }
   if (growth.delays) maturity.nerves = growth::conduction_at(growth.physiological_age);

@@ -113,7 +113,7 @@ Conduction conduction_at(double age) {
 }
 
 // Colour comes in from the first to the third month (Varner 1985, Suttle 1997); the line between is estimated.
-Eyesight eyesight_at(double age) {
+EyeMaturity eye_maturity_at(double age) {
   return {between(kAcuity, age), between(kPeakContrast, age), std::clamp((age - 1) / 2, 0.0, 1.0),
           between(kFlicker, age)};
 }

@@ -28,7 +28,7 @@ Conduction conduction_at(double age);
 
 // How well eyes see at an age.
 
-struct Eyesight {
+struct EyeMaturity {
   double acuity;         // the finest lines that are seen, cycles per degree
   double peak_contrast;  // greatest contrast sensitivity
   double chroma;         // share of colour that is seen, 0 to 1
@@ -36,7 +36,7 @@ struct Eyesight {
 };
 
 // At an age in months, 0 to 24.
-Eyesight eyesight_at(double age);
+EyeMaturity eye_maturity_at(double age);
 
 // What an infant hears at an age.
 

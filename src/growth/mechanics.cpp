@@ -148,10 +148,10 @@ double stature(Skeleton skeleton) {
 double volume(const Geom& geom) {
   const Vector& size = geom.size;
   switch (geom.shape) {
-    case Shape::kSphere: return ball_volume(size[0]);
-    case Shape::kCapsule: return tube_volume(size[0], size[1]) + ball_volume(size[0]);
-    case Shape::kCylinder: return tube_volume(size[0], size[1]);
-    case Shape::kBox: break;
+    case GeomShape::kSphere: return ball_volume(size[0]);
+    case GeomShape::kCapsule: return tube_volume(size[0], size[1]) + ball_volume(size[0]);
+    case GeomShape::kCylinder: return tube_volume(size[0], size[1]);
+    case GeomShape::kBox: break;
   }
   return 8 * size[0] * size[1] * size[2];
 }
@@ -159,10 +159,10 @@ double volume(const Geom& geom) {
 Vector3d inertia(const Geom& geom) {
   const Vector& size = geom.size;
   switch (geom.shape) {
-    case Shape::kSphere: return Vector3d::Constant(0.4 * geom.mass * size[0] * size[0]);
-    case Shape::kCapsule: return capsule_inertia(geom.mass, size[0], size[1]);
-    case Shape::kCylinder: return tube_inertia(geom.mass, size[0], size[1]);
-    case Shape::kBox: break;
+    case GeomShape::kSphere: return Vector3d::Constant(0.4 * geom.mass * size[0] * size[0]);
+    case GeomShape::kCapsule: return capsule_inertia(geom.mass, size[0], size[1]);
+    case GeomShape::kCylinder: return tube_inertia(geom.mass, size[0], size[1]);
+    case GeomShape::kBox: break;
   }
   const double x = size[0] * size[0], y = size[1] * size[1], z = size[2] * size[2];
   return geom.mass / 3 * Vector3d(y + z, x + z, x + y);
@@ -172,10 +172,10 @@ double half_extent(const Geom& geom, const Vector3d& direction) {
   const Vector& size = geom.size;
   const double along = std::abs(direction.z()), across = length_of(direction.x(), direction.y());
   switch (geom.shape) {
-    case Shape::kSphere: return size[0];
-    case Shape::kCapsule: return size[0] + size[1] * along;
-    case Shape::kCylinder: return size[0] * across + size[1] * along;
-    case Shape::kBox: break;
+    case GeomShape::kSphere: return size[0];
+    case GeomShape::kCapsule: return size[0] + size[1] * along;
+    case GeomShape::kCylinder: return size[0] * across + size[1] * along;
+    case GeomShape::kBox: break;
   }
   return direction.cwiseAbs().dot(Vector3d(size[0], size[1], size[2]));
 }

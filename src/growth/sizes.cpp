@@ -93,7 +93,7 @@ class Resizer {
     scale(geom.position, by);
     if (segment == Segment::kTrunk) {
       resize_whole(geom, trunk_girth(geom.name), lengths_.trunk);
-    } else if (segment == Segment::kHand && geom.shape == Shape::kCapsule) {
+    } else if (segment == Segment::kHand && geom.shape == GeomShape::kCapsule) {
       resize_whole(geom, girths_.hand, lengths_.hand);
     } else if (segment == Segment::kShank && without_side(geom.name) == "lower_leg2") {
       resize_shin(geom, by[2]);
@@ -129,7 +129,7 @@ class Resizer {
   static void resize_along(Geom& geom, const Scale& by) {
     const std::array<int, 3> axes = bone_axes(geom);
     const double x = by[axes[0]], y = by[axes[1]], z = by[axes[2]];
-    if (geom.shape == Shape::kBox) {
+    if (geom.shape == GeomShape::kBox) {
       scale(geom.size, {x, y, z});
     } else {
       geom.size[0] *= x == y ? x : std::sqrt(x * y);
@@ -277,7 +277,7 @@ class Fitter {
   Fit checked(Fit fit) const {
     for (const Bone& bone : fit.skeleton.bones) {
       for (const Geom& geom : bone.geoms) {
-        require(geom.shape != Shape::kCapsule || geom.size[1] > 0,
+        require(geom.shape != GeomShape::kCapsule || geom.size[1] > 0,
                 "no infant of {:.1f} cm weighs {:.2f} kg: z_length and z_weight do not go together, the capsule of its "
                 "{} would be thicker than long",
                 drivers_.length, drivers_.weight, bone.name);

@@ -10,11 +10,11 @@ namespace mimo::growth {
 
 using Vector = std::array<double, 3>;
 
-enum class Shape { kSphere, kCapsule, kCylinder, kBox };
+enum class GeomShape { kSphere, kCapsule, kCylinder, kBox };
 
 struct Geom {
   std::string name;  // without the agent's prefix, as all names here
-  Shape shape = Shape::kSphere;
+  GeomShape shape = GeomShape::kSphere;
   Vector size{};  // m, as MuJoCo's: radius; radius and half length; three half lengths
   Vector position{};
   std::array<double, 4> orientation{1, 0, 0, 0};  // w x y z

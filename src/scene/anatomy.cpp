@@ -19,27 +19,27 @@ namespace mimo::scene {
 namespace {
 
 using growth::Geom;
+using growth::GeomShape;
 using growth::Joint;
 using growth::Motor;
-using growth::Shape;
 
 constexpr const char* kEyeCamera = "eye_";  // how the names of an infant's own cameras begin
 
-Shape shape_named(const std::string& type, const std::string& geom) {
-  if (type.empty() || type == "sphere") return Shape::kSphere;
-  if (type == "capsule") return Shape::kCapsule;
-  if (type == "cylinder") return Shape::kCylinder;
-  if (type == "box") return Shape::kBox;
+GeomShape shape_named(const std::string& type, const std::string& geom) {
+  if (type.empty() || type == "sphere") return GeomShape::kSphere;
+  if (type == "capsule") return GeomShape::kCapsule;
+  if (type == "cylinder") return GeomShape::kCylinder;
+  if (type == "box") return GeomShape::kBox;
   fail(Status::kUnsupported, "geom \"{}\" is a {}; an infant that grows has spheres, capsules, cylinders and boxes",
        geom, type);
 }
 
-std::size_t size_count(Shape shape) {
+std::size_t size_count(GeomShape shape) {
   switch (shape) {
-    case Shape::kSphere: return 1;
-    case Shape::kCapsule:
-    case Shape::kCylinder: return 2;
-    case Shape::kBox: return 3;
+    case GeomShape::kSphere: return 1;
+    case GeomShape::kCapsule:
+    case GeomShape::kCylinder: return 2;
+    case GeomShape::kBox: return 3;
   }
   return 0;
 }

@@ -59,13 +59,13 @@ pugi::xml_document load(const document::Library& library, const Source& source) 
   return loader.text("<mujoco><include file=\"mimo/parts/options.xml\"/></mujoco>");
 }
 
-const char* shape_name(Shape shape) {
+const char* shape_name(ObjectShape shape) {
   switch (shape) {
-    case Shape::kSphere: return "sphere";
-    case Shape::kCapsule: return "capsule";
-    case Shape::kEllipsoid: return "ellipsoid";
-    case Shape::kCylinder: return "cylinder";
-    case Shape::kBox: return "box";
+    case ObjectShape::kSphere: return "sphere";
+    case ObjectShape::kCapsule: return "capsule";
+    case ObjectShape::kEllipsoid: return "ellipsoid";
+    case ObjectShape::kCylinder: return "cylinder";
+    case ObjectShape::kBox: return "box";
   }
   return "";
 }
@@ -73,11 +73,11 @@ const char* shape_name(Shape shape) {
 double volume(const Object& object) {
   const auto [x, y, z] = object.size;
   switch (object.shape) {
-    case Shape::kSphere: return 4.0 / 3 * kPi * x * x * x;
-    case Shape::kCapsule: return 4.0 / 3 * kPi * x * x * x + 2 * kPi * x * x * y;
-    case Shape::kEllipsoid: return 4.0 / 3 * kPi * x * y * z;
-    case Shape::kCylinder: return 2 * kPi * x * x * y;
-    case Shape::kBox: return 8 * x * y * z;
+    case ObjectShape::kSphere: return 4.0 / 3 * kPi * x * x * x;
+    case ObjectShape::kCapsule: return 4.0 / 3 * kPi * x * x * x + 2 * kPi * x * x * y;
+    case ObjectShape::kEllipsoid: return 4.0 / 3 * kPi * x * y * z;
+    case ObjectShape::kCylinder: return 2 * kPi * x * x * y;
+    case ObjectShape::kBox: return 8 * x * y * z;
   }
   return 0;
 }
@@ -196,13 +196,13 @@ pugi::xml_document body_document(const document::Library& models, const std::str
 
 }  // namespace
 
-std::size_t size_count(Shape shape) {
+std::size_t size_count(ObjectShape shape) {
   switch (shape) {
-    case Shape::kSphere: return 1;
-    case Shape::kCapsule:
-    case Shape::kCylinder: return 2;
-    case Shape::kEllipsoid:
-    case Shape::kBox: return 3;
+    case ObjectShape::kSphere: return 1;
+    case ObjectShape::kCapsule:
+    case ObjectShape::kCylinder: return 2;
+    case ObjectShape::kEllipsoid:
+    case ObjectShape::kBox: return 3;
   }
   return 0;
 }

@@ -32,7 +32,7 @@ struct Source {
   LogSink log;  // for what is not as the document's author meant it
 };
 
-enum class Shape : std::int32_t {
+enum class ObjectShape : std::int32_t {
   kSphere = MIMO_SHAPE_SPHERE,
   kCapsule = MIMO_SHAPE_CAPSULE,
   kEllipsoid = MIMO_SHAPE_ELLIPSOID,
@@ -40,11 +40,11 @@ enum class Shape : std::int32_t {
   kBox = MIMO_SHAPE_BOX,
 };
 // How many of an object's three sizes count.
-std::size_t size_count(Shape shape);
+std::size_t size_count(ObjectShape shape);
 
 struct Object {
   std::string name;
-  Shape shape = Shape::kSphere;
+  ObjectShape shape = ObjectShape::kSphere;
   std::array<double, 3> size{};
   document::Pose pose;
   double mass = 0;  // 0: from a density of 1000 kg/m^3

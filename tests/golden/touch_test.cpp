@@ -50,7 +50,7 @@ bool at_a_seam(int body, const Vec3& point) {
   const mjModel& model = *benchmark_model();
   int touching = 0;
   for (const int geom : senses::touch::geoms_with_skin(model, body)) {
-    senses::touch::Shape shape = senses::touch::shape_of(model, geom);
+    senses::touch::OuterShape shape = senses::touch::shape_of(model, geom);
     shape.size.array() += 1e-6;
     const double* q = model.geom_quat + 4 * geom;
     const Vec3 local =

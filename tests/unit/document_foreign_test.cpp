@@ -62,7 +62,8 @@ TEST_F(SceneForeign, SettingsReachNeitherInfantsNorObjects) {
   scene::Scene neutral(from_text("<mujoco/>"));
   const document::Pose place{{0, 0, 1}, {1, 0, 0, 0}};
   neutral.add_body("mitten", "", &place);
-  const scene::Object ball{"ball", scene::Shape::kSphere, {.001, 0, 0}, {{2, 2, 2}, {1, 0, 0, 0}}, 1e-4, {}, false};
+  const scene::Object ball{"ball", scene::ObjectShape::kSphere, {.001, 0, 0}, {{2, 2, 2}, {1, 0, 0, 0}}, 1e-4, {},
+                           false};
   neutral.add_object(ball);
   const engine::ModelPtr expected = compile(neutral);
   for (const std::string setting : kSettings) {
@@ -91,7 +92,7 @@ TEST_F(SceneForeign, MainDefaultsInSeveralSectionsAddUp) {
   scene::Scene scene(from_text(
       "<mujoco><default><geom condim='4' margin='.01'/></default><default><geom condim='6' gap='.002'/></default>"
       "<worldbody><body><geom name='own' size='.1'/></body></worldbody></mujoco>"));
-  scene.add_object({"ball", scene::Shape::kSphere, {.02, 0, 0}, {{2, 2, 2}, {1, 0, 0, 0}}, 0.1, {}, false});
+  scene.add_object({"ball", scene::ObjectShape::kSphere, {.02, 0, 0}, {{2, 2, 2}, {1, 0, 0, 0}}, 0.1, {}, false});
   const engine::ModelPtr model = compile(scene);
   const int own = engine::find(*model, Kind::kGeom, "own"), ball = engine::find(*model, Kind::kGeom, "ball");
   EXPECT_EQ(model->geom_condim[own], 6);

@@ -259,7 +259,7 @@ TEST_P(GrowthOf, HasPositiveSizesForEveryPossibleCombination) {
               for (const growth::Geom& geom : bone.geoms) {
                 EXPECT_GT(geom.mass, 0) << geom.name;
                 EXPECT_GT(geom.size[0], 0) << geom.name;
-                if (geom.shape != growth::Shape::kSphere) {
+                if (geom.shape != growth::GeomShape::kSphere) {
                   EXPECT_GT(geom.size[1], 0) << geom.name;
                 }
               }

@@ -13,10 +13,10 @@ namespace mimo::test {
 namespace {
 
 using engine::Kind;
-using scene::Shape;
+using scene::ObjectShape;
 using SceneObjects = QuietTest;
 
-scene::Object object(const std::string& name, Shape shape) {
+scene::Object object(const std::string& name, ObjectShape shape) {
   scene::Object result;
   result.name = name;
   result.shape = shape;
@@ -35,15 +35,15 @@ engine::ModelPtr world_with(const scene::Object& object) {
 // Volumes with radius 0.1, half length 0.2, half sizes 0.1, 0.2, 0.3.
 TEST_F(SceneObjects, ShapesAndMassByDensity) {
   struct Known {
-    Shape shape;
+    ObjectShape shape;
     int type;
     double volume;
   };
-  const Known known[] = {{Shape::kSphere, mjGEOM_SPHERE, 4.0 / 3 * mjPI * 0.001},
-                         {Shape::kCapsule, mjGEOM_CAPSULE, 4.0 / 3 * mjPI * 0.001 + mjPI * 0.01 * 0.4},
-                         {Shape::kEllipsoid, mjGEOM_ELLIPSOID, 4.0 / 3 * mjPI * 0.006},
-                         {Shape::kCylinder, mjGEOM_CYLINDER, mjPI * 0.01 * 0.4},
-                         {Shape::kBox, mjGEOM_BOX, 8 * 0.006}};
+  const Known known[] = {{ObjectShape::kSphere, mjGEOM_SPHERE, 4.0 / 3 * mjPI * 0.001},
+                         {ObjectShape::kCapsule, mjGEOM_CAPSULE, 4.0 / 3 * mjPI * 0.001 + mjPI * 0.01 * 0.4},
+                         {ObjectShape::kEllipsoid, mjGEOM_ELLIPSOID, 4.0 / 3 * mjPI * 0.006},
+                         {ObjectShape::kCylinder, mjGEOM_CYLINDER, mjPI * 0.01 * 0.4},
+                         {ObjectShape::kBox, mjGEOM_BOX, 8 * 0.006}};
   for (const Known& shape : known) {
     const engine::ModelPtr model = world_with(object("toy", shape.shape));
     EXPECT_EQ(model->geom_type[0], shape.type);
@@ -52,7 +52,7 @@ TEST_F(SceneObjects, ShapesAndMassByDensity) {
 }
 
 TEST_F(SceneObjects, EverythingAskedFor) {
-  scene::Object toy = object("toy", Shape::kBox);
+  scene::Object toy = object("toy", ObjectShape::kBox);
   toy.mass = 2.5;
   const engine::ModelPtr model = world_with(toy);
   EXPECT_EQ(engine::find(*model, Kind::kBody, "toy"), 1);
@@ -68,7 +68,7 @@ TEST_F(SceneObjects, EverythingAskedFor) {
 }
 
 TEST_F(SceneObjects, FixedOnesDoNotMove) {
-  scene::Object shelf = object("shelf", Shape::kBox);
+  scene::Object shelf = object("shelf", ObjectShape::kBox);
   shelf.fixed = true;
   const engine::ModelPtr model = world_with(shelf);
   EXPECT_EQ(model->nv, 0);
@@ -78,11 +78,11 @@ TEST_F(SceneObjects, FixedOnesDoNotMove) {
 TEST_F(SceneObjects, NamesInUseAreRefused) {
   scene::Scene scene(named("benchmark"));
   scene.add_body("mitten", "", nullptr);
-  scene.add_object(object("toy", Shape::kSphere));
+  scene.add_object(object("toy", ObjectShape::kSphere));
   const std::string before = scene.xml();
   for (const char* taken : {"toy", "test_object1", "floor", "left_hand"}) {
     expect_error(Status::kInvalidArgument, std::string("\"") + taken + "\"",
-                 [&] { scene.add_object(object(taken, Shape::kBox)); });
+                 [&] { scene.add_object(object(taken, ObjectShape::kBox)); });
   }
   EXPECT_EQ(scene.xml(), before);
 }
@@ -98,7 +98,7 @@ TEST_F(SceneObjects, ACameraThatIsRefusedLeavesNoTrace) {
 // A name with characters that XML minds.
 TEST_F(SceneObjects, NamesAreEscaped) {
   const std::string name = "<\"tea\" & 'cake'>";
-  EXPECT_EQ(engine::find(*world_with(object(name, Shape::kSphere)), Kind::kBody, name.c_str()), 1);
+  EXPECT_EQ(engine::find(*world_with(object(name, ObjectShape::kSphere)), Kind::kBody, name.c_str()), 1);
 }
 
 // An object is what the call says, whatever the main defaults of a user's document say.
@@ -110,10 +110,10 @@ TEST_F(SceneObjects, MainDefaultsDoNotReachObjects) {
       "shellinertia='true'/></default>";
   scene::Scene neutral(from_text("<mujoco/>"));
   scene::Scene hostile(from_text("<mujoco>" + defaults + "</mujoco>"));
-  scene::Object heavy = object("heavy", Shape::kCapsule);
+  scene::Object heavy = object("heavy", ObjectShape::kCapsule);
   heavy.mass = 2;
   for (scene::Scene* scene : {&neutral, &hostile}) {
-    scene->add_object(object("toy", Shape::kBox));
+    scene->add_object(object("toy", ObjectShape::kBox));
     scene->add_object(heavy);
   }
   const engine::ModelPtr expected = compile(neutral);

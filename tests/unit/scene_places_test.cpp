@@ -108,7 +108,7 @@ TEST_F(ScenePlaces, WithoutGroundAtTheOrigin) {
 TEST_F(ScenePlaces, OnObjectsAddedLater) {
   scene::Scene scene(from_text(world("")));
   scene.add_body("mitten", "", nullptr);
-  scene.add_object({"block", scene::Shape::kBox, {.5, .5, .1}, {{0, 0, 0}, {1, 0, 0, 0}}, 1, {1, 1, 1, 1}, true});
+  scene.add_object({"block", scene::ObjectShape::kBox, {.5, .5, .1}, {{0, 0, 0}, {1, 0, 0, 0}}, 1, {1, 1, 1, 1}, true});
   const engine::ModelPtr model = compile(scene);
   EXPECT_NEAR(model->body_pos[3 * engine::find(*model, Kind::kBody, "mimo_location") + 2], 0.1 + kSole, 0.005);
 }

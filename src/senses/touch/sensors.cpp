@@ -16,7 +16,7 @@ namespace {
 // One geom of a body and the points on it.
 struct Part {
   int geom;
-  Shape shape;
+  OuterShape shape;
   Eigen::Matrix3d rotation;  // geom frame to body frame
   Vec3 place;                // of the geom in the body
   Surface surface;
@@ -29,7 +29,7 @@ struct Part {
 std::vector<Part> parts_of(const mjModel& model, int body, double spacing, const BornGeoms& born) {
   std::vector<Part> parts;
   for (const int geom : geoms_with_skin(model, body)) {
-    const Shape shape = born.shape(model, geom);
+    const OuterShape shape = born.shape(model, geom);
     parts.push_back({geom, shape, rotation_of(model, geom), born.place(model, geom), sample(shape, spacing), 0, 0});
   }
   return parts;
@@ -143,10 +143,10 @@ Eigen::Index size_count(const mjModel& model, int geom) {
 }
 
 // In the geom's frame. Caps of a capsule stay half spheres.
-Vec3 moved(const Shape& from, const Shape& to, const Vec3& point) {
-  if (from.form == Shape::Form::kBox) return point.cwiseProduct(to.size).cwiseQuotient(from.size);
+Vec3 moved(const OuterShape& from, const OuterShape& to, const Vec3& point) {
+  if (from.form == OuterShape::Form::kBox) return point.cwiseProduct(to.size).cwiseQuotient(from.size);
   const double radial = to.size.x() / from.size.x();
-  if (from.form == Shape::Form::kSphere) return radial * point;
+  if (from.form == OuterShape::Form::kSphere) return radial * point;
   const double along = to.size.y() / from.size.y();
   const double side = std::clamp(point.z(), -from.size.y(), from.size.y());
   return {radial * point.x(), radial * point.y(), along * side + radial * (point.z() - side)};
@@ -197,8 +197,8 @@ BornGeoms::BornGeoms(const mjModel& model, const body::Body& body) {
 
 bool BornGeoms::knows(int geom) const { return any() && !sizes_[static_cast<std::size_t>(geom)].isZero(0); }
 
-Shape BornGeoms::shape(const mjModel& model, int geom) const {
-  Shape shape = shape_of(model, geom);
+OuterShape BornGeoms::shape(const mjModel& model, int geom) const {
+  OuterShape shape = shape_of(model, geom);
   if (knows(geom)) shape.size = sizes_[static_cast<std::size_t>(geom)];
   return shape;
 }

@@ -22,7 +22,7 @@ class BornGeoms {
   BornGeoms(const mjModel& model, const body::Body& body);
 
   bool any() const { return !sizes_.empty(); }
-  Shape shape(const mjModel& model, int geom) const;
+  OuterShape shape(const mjModel& model, int geom) const;
   Vec3 place(const mjModel& model, int geom) const;
 
   // Where a point of the geom's skin is now (body frame both). Normals stay: no shape of an infant's turns them.

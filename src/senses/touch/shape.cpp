@@ -32,17 +32,17 @@ double ellipsoid_depth(const Vec3& radii, const Vec3& point) {
 }
 
 // How deep a point lies below the surface; negative outside. Exact near the surface.
-double depth(const Shape& shape, const Vec3& point) {
+double depth(const OuterShape& shape, const Vec3& point) {
   const Vec3& size = shape.size;
   switch (shape.form) {
-    case Shape::Form::kNone: return -1;
-    case Shape::Form::kSphere: return size.x() - point.norm();
-    case Shape::Form::kCapsule: return size.x() - distance_to_axis(point, size.y());
-    case Shape::Form::kCylinder:
+    case OuterShape::Form::kNone: return -1;
+    case OuterShape::Form::kSphere: return size.x() - point.norm();
+    case OuterShape::Form::kCapsule: return size.x() - distance_to_axis(point, size.y());
+    case OuterShape::Form::kCylinder:
       return std::min(size.x() - length_of(point.x(), point.y()), size.y() - std::abs(point.z()));
-    case Shape::Form::kBox: return (size - point.cwiseAbs()).minCoeff();
-    case Shape::Form::kEllipsoid: return ellipsoid_depth(size, point);
-    case Shape::Form::kMesh: return shape.hull->depth(point);
+    case OuterShape::Form::kBox: return (size - point.cwiseAbs()).minCoeff();
+    case OuterShape::Form::kEllipsoid: return ellipsoid_depth(size, point);
+    case OuterShape::Form::kMesh: return shape.hull->depth(point);
   }
   return -1;
 }
@@ -100,16 +100,17 @@ bool has_shape(const mjModel& model, int geom) {
   return model.geom_type[geom] != mjGEOM_PLANE && model.geom_type[geom] != mjGEOM_HFIELD;
 }
 
-Shape shape_of(const mjModel& model, int geom) {
+OuterShape shape_of(const mjModel& model, int geom) {
   const Vec3 size(model.geom_size + 3 * geom);
   switch (model.geom_type[geom]) {
-    case mjGEOM_SPHERE: return {Shape::Form::kSphere, size};
-    case mjGEOM_CAPSULE: return {Shape::Form::kCapsule, size};
-    case mjGEOM_CYLINDER: return {Shape::Form::kCylinder, size};
-    case mjGEOM_BOX: return {Shape::Form::kBox, size};
-    case mjGEOM_ELLIPSOID: return {Shape::Form::kEllipsoid, size};
+    case mjGEOM_SPHERE: return {OuterShape::Form::kSphere, size};
+    case mjGEOM_CAPSULE: return {OuterShape::Form::kCapsule, size};
+    case mjGEOM_CYLINDER: return {OuterShape::Form::kCylinder, size};
+    case mjGEOM_BOX: return {OuterShape::Form::kBox, size};
+    case mjGEOM_ELLIPSOID: return {OuterShape::Form::kEllipsoid, size};
     case mjGEOM_MESH:
-      return {Shape::Form::kMesh, Vec3::Zero(), std::make_shared<const Hull>(hull_of(model, model.geom_dataid[geom]))};
+      return {OuterShape::Form::kMesh, Vec3::Zero(),
+              std::make_shared<const Hull>(hull_of(model, model.geom_dataid[geom]))};
     default: return {};
   }
 }
@@ -119,7 +120,7 @@ Eigen::Matrix3d rotation_of(const mjModel& model, int geom) {
   return Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]).normalized().toRotationMatrix();
 }
 
-bool inside(const Shape& shape, const Vec3& point) { return depth(shape, point) > kTolerance; }
+bool inside(const OuterShape& shape, const Vec3& point) { return depth(shape, point) > kTolerance; }
 
 double Hull::area() const {
   double sum = 0;

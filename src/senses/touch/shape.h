@@ -17,7 +17,7 @@ using Vec3 = Eigen::Vector3d;
 
 struct Hull;
 
-struct Shape {
+struct OuterShape {
   enum class Form { kNone, kSphere, kCapsule, kCylinder, kBox, kEllipsoid, kMesh };
 
   Form form = Form::kNone;
@@ -27,12 +27,12 @@ struct Shape {
 
 // Whether a geom has a shape that can have a skin: planes and height fields have none.
 bool has_shape(const mjModel& model, int geom);
-Shape shape_of(const mjModel& model, int geom);
+OuterShape shape_of(const mjModel& model, int geom);
 // From the geom's frame to its body's.
 Eigen::Matrix3d rotation_of(const mjModel& model, int geom);
 
 // Whether a point lies inside by more than a nanometre.
-bool inside(const Shape& shape, const Vec3& point);
+bool inside(const OuterShape& shape, const Vec3& point);
 
 // The surface of a mesh where contacts lie: its convex hull, for MuJoCo collides meshes as if they were convex.
 

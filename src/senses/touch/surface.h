@@ -22,12 +22,12 @@ struct Surface {
   bool single() const { return points.size() == 1; }
 };
 
-Surface sample(const Shape& shape, double spacing);
+Surface sample(const OuterShape& shape, double spacing);
 
-double area(const Shape& shape);
+double area(const OuterShape& shape);
 
 // About how many points that gives; for refusing what would fill the memory.
-double expected_points(const Shape& shape, double spacing);
+double expected_points(const OuterShape& shape, double spacing);
 
 // Sampling one kind of shape.
 Surface sample_box(const Vec3& half, double spacing);

@@ -152,7 +152,7 @@ TEST(TouchMaps, LoneSensorsHaveNoNeighbours) {
 TEST(TouchSkin, OmitsBuriedPoints) {
   const Skin skin = skin_of("<geom type='sphere' size='.05'/><geom type='box' size='.06 .02 .02'/>", 0.01);
   for (const Sensor& s : skin.sensors()) {
-    const Shape box{Shape::Form::kBox, {0.06, 0.02, 0.02}}, sphere{Shape::Form::kSphere, {0.05, 0, 0}};
+    const OuterShape box{OuterShape::Form::kBox, {0.06, 0.02, 0.02}}, sphere{OuterShape::Form::kSphere, {0.05, 0, 0}};
     EXPECT_FALSE(inside(s.geom == 0 ? box : sphere, s.position));
   }
   // One for each cm^2 of what is not buried: the sphere's 314 less twice the box's end of 16, and of the box two ends

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kAccuracy = 1e-12;
 
-using Form = Shape::Form;
+using Form = OuterShape::Form;
 
 // The counts of the original, written out anew: not in terms of the code under test.
 int box_count(const Vec3& half, double spacing) {
@@ -62,7 +62,7 @@ int cylinder_count(double radius, double half_length, double spacing) {
   return 2 * cap + around * (along + 1);
 }
 
-int formula(const Shape& shape, double spacing) {
+int formula(const OuterShape& shape, double spacing) {
   const Vec3& s = shape.size;
   switch (shape.form) {
     case Form::kBox: return box_count(s, spacing);
@@ -77,7 +77,7 @@ int formula(const Shape& shape, double spacing) {
 }
 
 // How far a point is from the surface.
-double off_surface(const Shape& shape, const Vec3& p) {
+double off_surface(const OuterShape& shape, const Vec3& p) {
   const Vec3& s = shape.size;
   const double radial = std::hypot(p.x(), p.y());
   switch (shape.form) {
@@ -94,14 +94,14 @@ double off_surface(const Shape& shape, const Vec3& p) {
 
 struct Case {
   const char* name;
-  Shape shape;
+  OuterShape shape;
   double spacing;
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name << " at " << c.spacing; }
 
 class SurfacePoints : public testing::TestWithParam<Case> {
  protected:
-  const Shape& shape() const { return GetParam().shape; }
+  const OuterShape& shape() const { return GetParam().shape; }
   double spacing() const { return GetParam().spacing; }
   const Surface surface_ = sample(GetParam().shape, GetParam().spacing);
 };
