@@ -54,7 +54,8 @@ void get(const env::World& world, const Quantity& quantity, const Ids& ids, bool
 
 void require_known_now(const Quantity& quantity) {
   require(quantity.moment != Moment::kStep,
-          "quantity is {}, which physics steps compute: it has no MIMO_NOW; mimo_env_observe brings all to now",
+          "quantity is {}, which only physics steps compute, so it has no MIMO_NOW; mimo_env_observe computes all such "
+          "values now",
           quantity.constant);
 }
 

@@ -98,8 +98,7 @@ int find_or_fail(const World& world, const Kind& kind, const std::string& wanted
 
 int find_or_fail(const mjModel& model, const World* world, const Kind& kind, const std::string& name) {
   if (kind.in_model()) return engine::find_or_fail(model, static_cast<engine::Kind>(kind.number), name);
-  if (world == nullptr)
-    fail(Status::kUnsupported, "attached senses know of no {}, which only worlds have", words(kind.constant));
+  if (world == nullptr) fail(Status::kUnsupported, "attached senses have no {}: only worlds do", words(kind.constant));
   const bool only = kind.number == MIMO_AGENT && world->agents().size() == 1 && world->agents()[0].name.empty();
   return only && name.empty() ? 0 : find_or_fail(*world, kind, name);
 }

@@ -100,7 +100,7 @@ void check_mass(const World& world, int body, const double* values) {
   const double mass = *values;
   if (mass == model.body_mass[body]) return;
   const char* name = engine::name(model, engine::Kind::kBody, body);
-  require(body > 0 && model.body_mass[body] > 0, "body {} (\"{}\") has no mass that could be changed", body, name);
+  require(body > 0 && model.body_mass[body] > 0, "body {} (\"{}\") has no mass to change", body, name);
   require(mass > 0, "values: the mass of body {} (\"{}\") is {}, expected kilograms above 0", body, name, mass);
 }
 
@@ -161,7 +161,9 @@ void check_lock(const World& world, int joint, const double* values) {
   const mjModel& model = world.model();
   const char* name = engine::name(model, engine::Kind::kJoint, joint);
   const int lock = engine::find_lock(model, joint);
-  if (lock < 0) fail(Status::kUnsupported, "joint {} (\"{}\") has no equality that could hold it", joint, name);
+  if (lock < 0)
+    fail(Status::kUnsupported, "joint {} (\"{}\") has no equality constraint in the model that could hold it", joint,
+         name);
   for (const env::Agent& agent : world.agents()) {
     if (!agent.actuation->holds(lock)) continue;
     fail(Status::kUnsupported, "joint {} (\"{}\") is under position control: its actions hold it", joint, name);
@@ -198,7 +200,7 @@ void check_size(const World& world, int geom, const double* size) {
 
 void check_light(const mjModel& model, int light, bool follows) {
   if (!follows) return;
-  fail(Status::kUnsupported, "light {} (\"{}\") follows a body, which says where it is and shines", light,
+  fail(Status::kUnsupported, "light {} (\"{}\") cannot be moved or turned: it follows a body", light,
        engine::name(model, engine::Kind::kLight, light));
 }
 

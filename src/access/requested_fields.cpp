@@ -52,8 +52,8 @@ void check(const FieldOptions& wanted) {
   const bool of_world = what.kind().number == MIMO_WORLD;
   require(of_world == wanted.elements.empty(), "element_count is {}, expected {} of {}", wanted.elements.size(),
           of_world ? "0" : "at least 1", what.constant);
-  require(wanted.relative_to.empty() || what.spatial != Spatial::kNone,
-          "relative_to is \"{}\", but {} is in no frame of space", wanted.relative_to, what.constant);
+  require(wanted.relative_to.empty() || what.spatial != Spatial::kNone, "relative_to is \"{}\", but {} has no frame",
+          wanted.relative_to, what.constant);
 }
 
 RequestedFields::RequestedFields(const mjModel& model, const env::World* world, const std::vector<FieldOptions>& wanted)

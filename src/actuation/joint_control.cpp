@@ -29,7 +29,8 @@ std::vector<body::Motor> motors_with_locks(const mjModel& model, const body::Bod
   std::vector<body::Motor> motors = body::motors(model, body);
   for (const body::Motor& motor : motors) {
     if (motor.lock >= 0) continue;
-    fail(Status::kUnsupported, "position control: joint {} of {} has no equality that could hold it",
+    fail(Status::kUnsupported,
+         "position control: joint {} of {} has no equality constraint in the model that could hold it",
          engine::name(model, Kind::kJoint, motor.joint.id), engine::name(model, Kind::kActuator, motor.id));
   }
   return motors;

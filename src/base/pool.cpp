@@ -49,7 +49,7 @@ Thread::Thread(Run run, void* argument) {
   const SignalsBlocked signals;  // a new thread inherits the mask of the one that starts it
   const int error = pthread_create(&thread_, attributes.get(), run, argument);
   if (error == 0) return;
-  fail(Status::kOutOfMemory, "the system gives no thread: {}", std::generic_category().message(error));
+  fail(Status::kOutOfMemory, "the system cannot start a thread: {}", std::generic_category().message(error));
 }
 
 Pool::Pool(std::size_t threads) : threads_(threads) {

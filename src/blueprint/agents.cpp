@@ -18,14 +18,14 @@ void join_as_part(AgentPlan& plan) {
   const std::string& root = plan.options.root;
   require(plan.body == "scene", "root is \"{}\" and body is \"{}\"; a root needs body \"scene\"", root, plan.body);
   require(plan.acts == 0 || plan.acts == scene::kNoGroup,
-          "acts is {:#x}, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root", plan.acts);
+          "acts is {:#x}, but only infants have such parts; expected 0 or MIMO_ACT_NONE beside a root", plan.acts);
   plan.options.actuation.none = plan.acts == scene::kNoGroup;
 }
 
 void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
   const std::string prefix = plan.options.prefix();
   require(plan.body != "scene" || !plan.place,
-          "place is {}, but the body is part of the scene; 0: where it stands there",
+          "place is {}, but the body is part of the scene; expected 0, where it stands there",
           static_cast<int>(plan.place->anchor));
   if (plan.body == "scene") return scene.choose_motors(prefix, plan.acts);
   const document::Place place = plan.place.value_or(document::Place{});
@@ -72,7 +72,7 @@ void Agents::require_name(const std::string& name) const {
 std::size_t Agents::add(const AgentPlan& plan, scene::Scene& scene) {
   require_name(plan.options.name);
   require(plan.options.reflexes.wanted == 0 || plan.options.root.empty(),
-          "reflexes is {:#x}, but the agent is body \"{}\" with what hangs on it: only infants have reflexes",
+          "reflexes is {:#x}, but the agent is body \"{}\" and its children, and only infants have reflexes",
           plan.options.reflexes.wanted, plan.options.root);
   AgentPlan own = plan;
   own.options.root.empty() ? join_as_infant(own, scene) : join_as_part(own);
@@ -130,7 +130,7 @@ void Agents::limit_motor(std::size_t agent, const std::string& path, const obser
 void Agents::set_maturity(std::size_t agent, const std::optional<env::Maturity>& maturity) {
   env::AgentOptions& options = at(agent);
   require(!maturity || options.root.empty() || !maturity->nerves.any(),
-          "maturity: agent {} is body \"{}\" with what hangs on it, and only infants have nerves that take time", agent,
+          "maturity: agent {} is body \"{}\" and its children, and only infants have nerves with a delay", agent,
           options.root);
   options.maturity = maturity;
 }
@@ -149,7 +149,7 @@ void Agents::be_as_old_as(const std::vector<growth::Growth>& growths) {
 
 void Agents::grow(std::size_t agent, const growth::Growth& growth, scene::Scene& scene) {
   env::AgentOptions& options = at(agent);
-  require(options.root.empty(), "growth: agent {} is body \"{}\" with what hangs on it, but only infants grow", agent,
+  require(options.root.empty(), "growth: agent {} is body \"{}\" and its children, but only infants grow", agent,
           options.root);
   scene.grow(options.prefix(), growth.body ? growth : growth::Growth{});
   options.growth = growth;

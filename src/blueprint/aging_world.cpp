@@ -24,8 +24,8 @@ void set_all(const Agents& agents, const growth::Growth& growth, std::vector<gro
 void set_each(const Agents& agents, const Ages& ages, std::vector<growth::Growth>& growths) {
   for (std::size_t i = 0; i < agents.size(); ++i) {
     if (!ages[i]) continue;
-    require(is_infant(agents[i]), "growth[{}]: agent {} is body \"{}\" and what hangs on it, but only infants grow", i,
-            i, agents[i].root);
+    require(is_infant(agents[i]), "growth[{}]: agent {} is body \"{}\" and its children, but only infants grow", i, i,
+            agents[i].root);
     growths[i] = *ages[i];
   }
 }

@@ -365,7 +365,7 @@ void read_stored_pose(const mjModel& model, Span<double> qpos) {
   visit_named(engine::custom_tuple_names(model), names::kPose, [&](const std::string& name, const std::string&) {
     for (const engine::TupleEntry& entry : engine::custom_tuple(model, name, engine::Kind::kJoint)) {
       if (!engine::has_one_axis(model, entry.id)) {
-        fail(Status::kModel, "{}: joint {} is no hinge or slide", name,
+        fail(Status::kModel, "{}: joint {} is not a hinge or slide", name,
              engine::name(model, engine::Kind::kJoint, entry.id));
       }
       qpos[static_cast<std::size_t>(model.jnt_qposadr[entry.id])] = entry.value;

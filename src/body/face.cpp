@@ -28,7 +28,8 @@ Joint joint_of(const mjModel& model, const Body& body, const std::string& name) 
 double sign_about(const mjModel& model, const Joint& joint, int axis) {
   const double along = model.jnt_axis[3 * joint.id + axis];
   if (std::abs(along) > 0.999) return along > 0 ? 1 : -1;
-  fail(Status::kUnsupported, "joint \"{}\" does not turn about the {} axis: looking at points is not known for it",
+  fail(Status::kUnsupported,
+       "joint \"{}\" does not turn about the {} axis, so the library cannot make it look at points",
        engine::name(model, engine::Kind::kJoint, joint.id), "xyz"[axis]);
 }
 
@@ -72,7 +73,8 @@ double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a
 
 // The head of a body that has one whose joints we know.
 int head_of(const Body& body) {
-  if (!body.infant) fail(Status::kUnsupported, "the agent is no infant: looking at points is not known for it");
+  if (!body.infant)
+    fail(Status::kUnsupported, "the agent is not an infant, so the library cannot make it look at points");
   return body.head;
 }
 
@@ -93,7 +95,8 @@ Eyes::Eyes(const mjModel& model, const Body& body)
       left_(eye(model, body, "left", body.eye_left)),
       right_(eye(model, body, "right", body.eye_right)) {
   if (sign_about(model, swivel_, 2) < 0 || sign_about(model, nod_, 1) < 0) {
-    fail(Status::kUnsupported, "the head's joints turn the other way round: looking at points is not known for them");
+    fail(Status::kUnsupported,
+         "the head's joints turn the other way round, so the library cannot make it look at points");
   }
 }
 

@@ -191,7 +191,7 @@ access::FieldOptions options_from(const mimo_field_config& config) {
   options.quantity = &wanted.quantity;
   options.now = wanted.now;
   options.name = text(config.name);
-  require(!options.name.empty(), "name is {}, expected one for the field", config.name == nullptr ? "NULL" : "\"\"");
+  require(!options.name.empty(), "name is {}, expected a name for the field", config.name == nullptr ? "NULL" : "\"\"");
   require(options.name.front() != '/' && options.name.back() != '/', "name is \"{}\", expected no / at its ends",
           options.name);
   options.elements = elements_of(config);

@@ -144,7 +144,7 @@ mimo_status mimo_env_make(const char* scene_name, mimo_env** env) noexcept {
   return guard([&] {
     mimo_env*& result = out(env, "env");
     require(scene_name != nullptr, "scene_name is NULL");
-    require(*scene_name != '\0', "scene_name is \"\", expected that of a built-in scene");
+    require(*scene_name != '\0', "scene_name is \"\", expected the name of a built-in scene");
     blueprint::Blueprint ready = ready_world(scene_name);
     const mimo_agent_config usual = default_agent_config(ready.current().scene);
     ready.edit([&](blueprint::SceneEdit& edit) { note(edit, call_of_agents("add_agents", usual)); });

@@ -245,7 +245,7 @@ void keep_message(const void* handle, const Message& message) noexcept {
 Message message_of(const void* handle) {
   require(handle != nullptr, "handle is NULL");
   auto* control = static_cast<Control*>(const_cast<void*>(handle));
-  if (control->magic != kMagic) fail(Status::kBadHandle, "handle is no handle of this library's");
+  if (control->magic != kMagic) fail(Status::kBadHandle, "handle is not a handle of this library");
   check_generation(*control, "handle");
   {
     const AtMessage alone(*control);

@@ -51,7 +51,7 @@ mimo_status mimo_scene_limit_sense(mimo_scene* scene, size_t agent, const char* 
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     const std::string where = text(path);
-    require(!where.empty(), "path is {}, expected that of a sense or field", path == nullptr ? "NULL" : "\"\"");
+    require(!where.empty(), "path is {}, expected the path of a sense or field", path == nullptr ? "NULL" : "\"\"");
     const mimo_limits given = read_struct(limits, default_limits(), "limits");
     const observation::Limits ours = limits_from(given);
     blueprint.edit([&](blueprint::SceneEdit& edit) {
@@ -65,7 +65,7 @@ mimo_status mimo_scene_limit_motor(mimo_scene* scene, size_t agent, const char* 
                                    const mimo_limits* limits) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
-    require(path != nullptr, "path is NULL, expected that of a motor, a part of the body, or \"\" for all");
+    require(path != nullptr, "path is NULL, expected the path of a motor, a part of the body, or \"\" for all");
     const mimo_limits given = read_struct(limits, default_limits(), "limits");
     const observation::Limits ours = limits_from(given);
     blueprint.edit([&](blueprint::SceneEdit& edit) {

@@ -76,7 +76,7 @@ class Arguments {
   template <typename T>
   static T number_of(const ReadJson& json, const char* name) {
     const std::optional<T> number = json.number<T>();
-    if (!number) fail_damaged(format("\"{}\" is no number that it can be", name));
+    if (!number) fail_damaged(format("\"{}\" is not a number that it can have", name));
     return *number;
   }
   static const ReadJson& list_of(const ReadJson& json, const char* name) {
@@ -320,7 +320,7 @@ mimo_env_config chosen(const RecordedScene& scene, const std::optional<mimo_env_
   if (!given) return config;
   const mimo_env_config& wanted = *given;
   const auto leave = [](bool left, const char* name) {
-    require(left, "config: {} is that of the recording; expected it as mimo_env_config_init leaves it", name);
+    require(left, "config: {} comes from the recording; leave it as mimo_env_config_init sets it", name);
   };
   leave(wanted.frame_skip == 0, "frame_skip");
   leave(wanted.jacobian == MIMO_JACOBIAN_MODEL, "jacobian");
@@ -355,8 +355,7 @@ std::unique_ptr<EnvObject> make(const RecordingObject& object, const std::option
   const auto file = recording->bodies() > 1 ? recording : nullptr;
   const auto described_at = [file, ages, edit = scene.blueprint().current()](const blueprint::Growths& growths) {
     if (growths == ages) return edit;
-    if (file == nullptr)
-      fail(Status::kUnsupported, "growth: the recording holds its scene with infants of one age only");
+    if (file == nullptr) fail(Status::kUnsupported, "growth: the recording has its infants at one age only");
     blueprint::SceneEdit at = edit;
     at.scene = scene::Scene(file->scene(growths));
     at.agents.be_as_old_as(growths);

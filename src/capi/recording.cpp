@@ -26,7 +26,8 @@ mimo_recorder_config default_recorder_config() {
 }
 
 std::string path_from(const char* path) {
-  require(path != nullptr && *path != '\0', "path is {}, expected that of a file", path == nullptr ? "NULL" : "\"\"");
+  require(path != nullptr && *path != '\0', "path is {}, expected the path of a file",
+          path == nullptr ? "NULL" : "\"\"");
   return path;
 }
 

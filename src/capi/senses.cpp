@@ -49,7 +49,7 @@ mimo_status mimo_senses_attach(const mimo_scene* scene, const void* model, const
   return guard(scene, [&] {
     mimo_senses*& result = out(senses, "senses");
     const blueprint::Blueprint& blueprint = open(scene).blueprint;
-    require(config != nullptr, "config is NULL, expected one that says the host's mujoco_version");
+    require(config != nullptr, "config is NULL, expected one with the host's mujoco_version");
     const mimo_senses_config ours = read_struct(config, "config");
     check_reserved(ours.reserved, "reserved");
     require(ours.step >= 0 && std::isfinite(ours.step), "step is {}, expected seconds above 0, or 0 for the model's",
@@ -82,7 +82,8 @@ mimo_status mimo_senses_reset(mimo_senses* senses, const void* data, const mimo_
     env::Attached& attached = open(senses).attached;
     const mimo_reset_config ours = read_struct(config, mimo_reset_config{}, "config");
     const Seed seed = seed_of(ours);
-    if (ours.growth_count > 0) fail(Status::kUnsupported, "growth: attached senses see the host's model, which stays");
+    if (ours.growth_count > 0)
+      fail(Status::kUnsupported, "growth: attached senses use the host's model, which does not change");
     attached.reset(engine::adopt_data(attached.model(), data), seed.pointer());
   });
 }

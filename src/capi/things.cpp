@@ -34,7 +34,7 @@ extern "C" {
 mimo_status mimo_scene_set_room_temperature(mimo_scene* scene, double celsius) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
-    require(celsius >= -40 && celsius <= 80, "celsius is {}, expected -40 to 80 degrees of a room", celsius);
+    require(celsius >= -40 && celsius <= 80, "celsius is {}, expected -40 to 80 in a room", celsius);
     blueprint.edit([&](blueprint::SceneEdit& edit) {
       edit.room_temperature = celsius;
       note(edit, {{"call", "set_room_temperature"}, {"celsius", celsius}});

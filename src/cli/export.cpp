@@ -325,7 +325,7 @@ void add_export(CLI::App& program) {
     const std::string told = std::string(it.what) + ": tells how the Python package writes it";
     command->add_option(it.option, options->of_python[i], told)->type_name(it.type);
   }
-  command->add_option("--seconds", options->seconds, "With an animation: so long random movement; default: none")
+  command->add_option("--seconds", options->seconds, "Seconds of random movement as an animation. Default: none")
       ->check(number(0, 3600))
       ->option_text("S");
   command->add_option("--segments", options->segments, "Level of detail: pieces of a circle, a multiple of 4")

@@ -69,7 +69,7 @@ CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options) {
       ->type_name("S")
       ->check(number(0.001, 1e6))
       ->capture_default_str();
-  command.add_option("--flush-every", options.flush_every, "Real time after which all is safe on disk")
+  command.add_option("--flush-every", options.flush_every, "Real time after which everything is safe on disk")
       ->type_name("S")
       ->check(number(0, 1e6))
       ->capture_default_str();
@@ -115,7 +115,7 @@ mimo::Env open_recorded(const std::string& file, const mimo::Recording& recordin
   if (info.format_version < 3) {
     if (!is_given(command, "--scene")) {
       throw Failure(file + " has format version " + std::to_string(info.format_version) +
-                    ", which holds no scene; --scene says which one it was");
+                    ", which contains no scene; pass it with --scene");
     }
     return open_as_given(options, info.step_seconds);
   }

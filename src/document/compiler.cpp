@@ -230,7 +230,7 @@ void weigh_alone(pugi::xml_document& document, const std::string& what, const Li
   const std::string setting = working_setting(root);
   if (setting.empty()) return;
   if (root.find_node([](pugi::xml_node node) { return std::string(node.name()) == "composite"; })) {
-    fail(Status::kUnsupported, "{} has a composite and compiler {}, which would count for what is put beside it, too",
+    fail(Status::kUnsupported, "{} has a composite and compiler {}, which would also apply to the rest of the scene",
          what, setting);
   }
   const engine::ModelPtr model = compile_with_names(document, limits);

@@ -50,7 +50,8 @@ Composite::Composite(pugi::xml_node element)
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const bool whole = counts[i] >= 1 && counts[i] <= 1e6 && counts[i] == std::floor(counts[i]);
     if (!whole || (single && counts[i] > 1)) {
-      refuse(format("count is \"{}\", expected numbers from 1, those of 1 last", node.attribute("count").value()));
+      refuse(format("count is \"{}\", expected whole numbers from 1, with all ones at the end",
+                    node.attribute("count").value()));
     }
     count[i] = static_cast<int>(counts[i]);
     single = count[i] == 1;

@@ -139,7 +139,7 @@ void bind_square(Skin& skin, const Composite& composite, int x, int y, int finen
 }
 
 void add_fine_sheet(Skin& skin, const Composite& composite, int fineness) {
-  if (composite.count[0] < 3 || composite.count[1] < 3) composite.refuse("a finer skin wants 3 by 3 elements at least");
+  if (composite.count[0] < 3 || composite.count[1] < 3) composite.refuse("a finer skin needs at least 3 by 3 elements");
   const int rows = (composite.count[0] - 1) * fineness + 1, width = (composite.count[1] - 1) * fineness + 1;
   add_sheet(skin, rows, width, composite.spacing / fineness);
   for (int x = 0; x < composite.count[0]; ++x) {

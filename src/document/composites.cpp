@@ -67,7 +67,7 @@ class Maker : CompositeParts {
   void make_grid() const {
     if (composite_.dimensions > 2) composite_.refuse("it has three dimensions, expected one or two");
     if (composite_.dimensions != 2 && (has("tendon", "shear") || !composite_.skin.empty())) {
-      composite_.refuse("shear and skin want two dimensions");
+      composite_.refuse("shear and skin need two dimensions");
     }
     for (int x = 0; x < count_[0]; ++x) {
       for (int y = 0; y < count_[1]; ++y) {

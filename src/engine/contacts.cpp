@@ -96,13 +96,14 @@ void require_told_forces(const mjModel& model) {
     const char* const name = model.names + model.name_flexadr[i];
     if (by_potential) {
       fail(Status::kUnsupported,
-           "flex {} (\"{}\"): with the flag ipc MuJoCo tells no forces of its contacts, which touch and reflexes need; "
-           "switch the flag off, or touch and reflexes",
+           "flex {} (\"{}\"): with the flag ipc MuJoCo does not report the forces of its contacts, which touch and "
+           "reflexes need; switch off the flag, or touch and reflexes",
            i, name);
     }
     if (model.flex_passive[i] == 0) continue;
     fail(Status::kUnsupported,
-         "flex {} (\"{}\") has passive contacts, of which MuJoCo tells no forces, which touch and reflexes need; leave "
+         "flex {} (\"{}\") has passive contacts, whose forces MuJoCo does not report; touch and reflexes need them; "
+         "leave "
          "out its attribute passive, or switch touch and reflexes off",
          i, name);
   }

@@ -99,7 +99,7 @@ void lay_out(const mjModel& model, mjData& data, const Room& room, unsigned char
 void require_countable(const mjModel& model) {
   if (static_cast<std::int64_t>(model.njmax) * model.nv <= INT_MAX) return;
   fail(Status::kOutOfMemory,
-       "no memory for {} constraints (njmax) of {} degrees of freedom: there is room for {} at most", model.njmax,
+       "no memory for {} constraints (njmax) of {} degrees of freedom: there is room for at most {}", model.njmax,
        model.nv, INT_MAX / model.nv);
 }
 

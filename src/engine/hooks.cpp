@@ -81,8 +81,8 @@ void add(Warning kind, WarningCounts& counts) { ++counts[static_cast<std::size_t
 CompileLock::CompileLock() {
   if (stuck) {
     fail(Status::kForked,
-         "this process was forked while another thread compiled a model, and MuJoCo's compiler is locked in it for "
-         "ever; fork at another time, or spawn instead of forking");
+         "this process was forked while another thread compiled a model, and MuJoCo's compiler is locked in it "
+         "forever; fork at another time, or spawn instead of forking");
   }
   while (forks > 0) std::this_thread::sleep_for(kNap);  // they have waited longer
   mutex.lock();

@@ -36,7 +36,7 @@ class VirtualFiles {
     int result = 0;
     const Complaint complaint = guarded([&] { compat::add_file(*vfs_, name, bytes, size, result); });
     if (complaint.failed) fail(Status::kOutOfMemory, "file {} of {} bytes: {}", name, size, complaint.error.data());
-    if (result != 0) fail(Status::kModel, "file {} cannot be handed to MuJoCo (code {})", name, result);
+    if (result != 0) fail(Status::kModel, "file {} cannot be passed to MuJoCo (code {})", name, result);
   }
 
   const mjVFS* get() const { return vfs_.get(); }
@@ -52,7 +52,7 @@ void require_plain_streams() {
   if (std::use_facet<std::numpunct<char>>(locale).decimal_point() == '.') return;
   fail(Status::kUnsupported,
        "the program's C++ locale \"{}\" (set by std::locale::global) has no decimal point, and MuJoCo's XML reader "
-       "obeys it; set one that has, at least for std::locale::numeric, before worlds are made",
+       "obeys it; set one that has a point, at least for std::locale::numeric, before worlds are made",
        locale.name());
 }
 

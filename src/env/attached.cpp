@@ -88,8 +88,9 @@ void Attached::drive_spindles(Span<const std::int32_t> motors, Span<const double
           kNumbers * motors.size(), kNumbers);
   for (std::size_t i = 0; i < motors.size(); ++i) {
     if (drives_of(motors[i]) != nullptr) continue;
-    fail(Status::kNotFound, "actuators[{}] is {}, expected a motor with spindles that are sensed; there are {}", i,
-         motors[i], driven_.size());
+    fail(Status::kNotFound,
+         "actuators[{}] is {}, expected the number of a motor whose spindles are sensed; there are {}", i, motors[i],
+         driven_.size());
   }
   for (std::size_t i = 0; i < rates.size(); ++i) {
     require(rates[i] >= 0 && rates[i] <= receptors::kMostFusimotorDrive, "rates[{}] is {}, expected 0 to {} Hz", i,

@@ -245,8 +245,7 @@ Perception perceive(const mjModel& model, const AgentOptions& options, const Set
 std::unique_ptr<observation::Sense> make_camera(const mjModel& model, const CameraOptions& options,
                                                 render::Renderer* renderer) {
   if (renderer == nullptr) {
-    fail(Status::kInvalidArgument, "renderer \"none\": camera \"{}\" is to be observed; choose a renderer",
-         options.camera);
+    fail(Status::kInvalidArgument, "renderer \"none\": camera \"{}\" is observed; choose a renderer", options.camera);
   }
   const int camera = engine::find_or_fail(model, engine::Kind::kCamera, options.camera);
   const std::vector<senses::Lens> lenses = {{"vision/" + options.camera, camera}};
@@ -303,7 +302,7 @@ Perception perceive_only(const mjModel& model, const AgentOptions& options, cons
   }
   if (options.strength != 1) fail(Status::kUnsupported, "strength: with attached senses the motors are the host's");
   if (options.voice) {
-    fail(Status::kUnsupported, "voice: with attached senses there are no actions; let the head play what it says");
+    fail(Status::kUnsupported, "voice: with attached senses there are no actions; play its sounds at its head instead");
   }
   if (options.reflexes.wanted != 0) {
     fail(Status::kUnsupported, "reflexes: with attached senses the host commands the motors, and nothing adds to that");

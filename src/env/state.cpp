@@ -30,7 +30,7 @@ struct Header {
 ByteReader after_version(Span<const std::uint8_t> state) {
   if (state.size() < kStateHeaderBytes) fail(Status::kFile, "state: {} bytes are too few for a state", state.size());
   ByteReader from(state);
-  if (from.take<std::uint64_t>() != kMagic) fail(Status::kFile, "state: these bytes are no state of a world");
+  if (from.take<std::uint64_t>() != kMagic) fail(Status::kFile, "state: these bytes are not a state of a world");
   const auto version = from.take<std::uint64_t>();
   if (version > kVersion) {
     fail(Status::kUnsupported, "state: its version {} needs a newer library, this one reads up to {}", version,
@@ -100,7 +100,7 @@ Span<const std::uint8_t> open_state(std::uint64_t model, Span<const std::uint8_t
   const Span<const std::uint8_t> body = state.part(kStateHeaderBytes, state.size() - kStateHeaderBytes);
   ByteReader from(body);
   for (std::uint64_t i = 0; i < header.sections; ++i) read_section(from);
-  require(from.left() == 0, "state: {} bytes are left over behind its last section", from.left());
+  require(from.left() == 0, "state: {} bytes are left after its last section", from.left());
   return body;
 }
 

@@ -142,7 +142,7 @@ void add_voice(Perception& agent, const mjModel& model, const AgentOptions& opti
 
 void play(senses::Soundscape* soundscape, const mjModel& model, const std::string& body, Span<const float> samples,
           double rate) {
-  if (soundscape == nullptr) fail(Status::kUnsupported, "nobody hears here: switch hearing on for an agent");
+  if (soundscape == nullptr) fail(Status::kUnsupported, "no agent has hearing: switch it on for one");
   const int id = engine::find_or_fail(model, engine::Kind::kBody, body);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     require(std::isfinite(samples[i]), "samples[{}] is {}, expected a finite number", i, samples[i]);

@@ -314,7 +314,7 @@ void World::check_movement(Span<const double> positions) const {
       if (place < 0) continue;
       const std::size_t first = moment + static_cast<std::size_t>(model().jnt_qposadr[joint] + place);
       require(Eigen::Map<const Eigen::Vector4d>(&positions[first]).squaredNorm() > 1e-20,
-              "movement: positions[{}] is the first of a quaternion of length 0", first);
+              "movement: positions[{}] begins a quaternion of length 0", first);
     }
   }
 }
@@ -324,7 +324,7 @@ void World::follow(Span<const double> positions, Span<double> forces, std::uint8
   physics_.require_usable();
   physics_.require_undisturbed();
   if (model().opt.integrator != mjINT_EULER) {
-    fail(Status::kUnsupported, "movements are followed in models with MuJoCo's integrator Euler only");
+    fail(Status::kUnsupported, "only models with MuJoCo's integrator Euler can follow movements");
   }
   const observation::Stopwatch total(options_.timing, timing_.total);
   ++changes_;

@@ -18,13 +18,13 @@ void check_z(const char* name, double z) { check_range(name, z, -kMostZ, kMostZ,
 
 // The original knows nothing of these.
 void check_original(const Growth& growth) {
-  require(growth.sex == Sex::kMean, "sex is {}, expected 0: the original's model knows none",
+  require(growth.sex == Sex::kMean, "sex is {}, expected 0: the original's model has no sexes",
           static_cast<int>(growth.sex));
   require(growth.physiological_age == growth.age,
-          "physiological_age is {} and age {}, expected the same: the original's model knows one age only",
+          "physiological_age is {} and age {}, expected the same: the original's model has only one age",
           growth.physiological_age, growth.age);
   const auto check_median = [](const char* name, double z) {
-    require(z == 0, "{} is {}, expected 0: the original's model knows no other infants than the mean", name, z);
+    require(z == 0, "{} is {}, expected 0: the original's model has only the mean infant", name, z);
   };
   check_median("z_length", growth.z_length);
   check_median("z_weight", growth.z_weight);

@@ -28,7 +28,7 @@ double bulk(const Skeleton& skeleton, const std::string& name) {
       return is_limb(segment_of(bone.name)) ? geom.size[0] * geom.size[0] * geom.size[1] : volume(geom);
     }
   }
-  fail(Status::kUnsupported, "the infant has no geom \"{}\", so it is none that grows", name);
+  fail(Status::kUnsupported, "the infant has no geom \"{}\", so it cannot grow", name);
 }
 
 class Strength {
@@ -250,7 +250,7 @@ std::string muscle_geom(const Skeleton& skeleton, const Motor& motor) {
   const auto* found =
       std::find_if(std::begin(kMuscles), std::end(kMuscles), [&](auto& row) { return row.first == name; });
   if (found == std::end(kMuscles)) {
-    fail(Status::kUnsupported, "the infant has a motor \"{}\", and growth knows none of that name", motor.name);
+    fail(Status::kUnsupported, "the infant has a motor \"{}\", which growth does not know", motor.name);
   }
   return side + std::string(found->second);
 }

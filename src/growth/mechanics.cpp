@@ -31,7 +31,7 @@ void check_names(const Skeleton& skeleton, const Angles& angles) {
   for (const Bone& bone : skeleton.bones) {
     for (const Joint& joint : bone.joints) found += angles.count(joint.name);
   }
-  require(found == angles.size(), "{} of {} angles are of joints that the infant has, expected all", found,
+  require(found == angles.size(), "the infant has the joints of only {} of {} angles, expected all", found,
           angles.size());
 }
 

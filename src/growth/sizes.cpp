@@ -107,7 +107,7 @@ class Resizer {
     if (geom == "lb") return girths_.hip;
     if (geom == "cb" || geom == "ub1") return girths_.waist;
     if (geom == "ub2" || geom == "ub3") return girths_.chest;
-    fail(Status::kUnsupported, "the infant's trunk has a geom \"{}\", and growth knows none of that name", geom);
+    fail(Status::kUnsupported, "the infant's trunk has a geom \"{}\", which growth does not know", geom);
   }
 
   // Capsules of trunk and fingers are as long as the body is there with their round ends, which lie free or in a row.

@@ -26,13 +26,13 @@ auto& find_in_bones(Owner& skeleton, List Bone::*list, std::string_view kind, st
   for (auto& bone : skeleton.bones) {
     if (auto* part = find(bone.*list, name); part != nullptr) return *part;
   }
-  fail(Status::kUnsupported, "the infant has no {} \"{}\", so it is none that grows", kind, name);
+  fail(Status::kUnsupported, "the infant has no {} \"{}\", so it cannot grow", kind, name);
 }
 
 template <typename Owner>
 auto& find_bone(Owner& skeleton, std::string_view name) {
   if (auto* bone = find(skeleton.bones, name); bone != nullptr) return *bone;
-  fail(Status::kUnsupported, "the infant has no body \"{}\", so it is none that grows", name);
+  fail(Status::kUnsupported, "the infant has no body \"{}\", so it cannot grow", name);
 }
 
 constexpr std::pair<std::string_view, Segment> kSegments[] = {
@@ -85,7 +85,7 @@ Segment segment_of(std::string_view bone) {
   const auto* found =
       std::find_if(std::begin(kSegments), std::end(kSegments), [&](auto& row) { return row.first == name; });
   if (found != std::end(kSegments)) return found->second;
-  fail(Status::kUnsupported, "the infant has a body \"{}\", and growth knows none of that name", bone);
+  fail(Status::kUnsupported, "the infant has a body \"{}\", which growth does not know", bone);
 }
 
 bool is_limb(Segment segment) {

@@ -25,7 +25,7 @@ Eyesight seen_with(const Limits& limits, Eyesight eyes) {
 
 std::optional<EyeFilter> eye_of(const Field& field, const Limits& limits, const Eyesight& nature) {
   const bool in_colour = is_picture(field) && field.focal > 0;
-  require(limits.blur == 0 || in_colour, "blur is {}, but {} is no picture in colour", limits.blur, field.name);
+  require(limits.blur == 0 || in_colour, "blur is {}, but {} is not a colour picture", limits.blur, field.name);
   const Eyesight eyes = seen_with(limits, nature);
   if (!in_colour || !eyes.any()) return std::nullopt;
   return EyeFilter(field.shape[0], field.shape[1], field.focal * kDegree, eyes);

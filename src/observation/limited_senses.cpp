@@ -43,7 +43,7 @@ void LimitedSenses::add(const std::string& prefix, const std::vector<PathLimits>
     bool found = false;
     for (std::size_t i = 0; i < layout.size(); ++i) {
       if (!leads_to(path, layout[i].name)) continue;
-      require(!layout[i].exempt, "limits: \"{}\" is a field of the task or the scene, which limits do not concern",
+      require(!layout[i].exempt, "limits: \"{}\" is a field of the task or the scene, to which limits do not apply",
               layout[i].name);
       chosen[i] = meant_for(layout[i], path, entry.limits);
       found = true;

@@ -172,7 +172,7 @@ Screen find_screen(const Egl& egl) {
     if (chosen && EglHandle(egl, screen).works()) return screen;
   }
   fail(Status::kUnsupported,
-       "the renderer gl found no graphics card that gives OpenGL by EGL, nor Mesa's driver for the CPU (Debian package "
+       "the renderer gl found no graphics card with OpenGL through EGL, nor Mesa's driver for the CPU (Debian package "
        "libgl1-mesa-dri)");
 }
 

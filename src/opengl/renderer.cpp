@@ -244,7 +244,7 @@ class MujocoBinding::Detour {
     if (!slot_.empty()) original_ = slot_.exchange(reinterpret_cast<void*>(leading_dlsym));
     if (original_ != nullptr) return;
     fail(Status::kUnsupported,
-         "{} cannot be drawn with in this process: another OpenGL is loaded, and MuJoCo would take that",
+         "{} cannot be drawn with in this process: another OpenGL is loaded, and MuJoCo would use that one",
          platform.name());
   }
   ~Detour() { slot_.exchange(original_); }

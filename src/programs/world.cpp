@@ -436,7 +436,7 @@ void add_seconds_option(CLI::App& command, double& seconds) {
 }
 
 void add_voice_option(CLI::App& command, WorldOptions& options) {
-  command.add_flag("--voice", options.voice, "The infant has a voice, four actions more after those of its motors");
+  command.add_flag("--voice", options.voice, "The infant has a voice: four more actions after those of its motors");
 }
 
 void add_reflexes_option(CLI::App& command, WorldOptions& options) {

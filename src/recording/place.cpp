@@ -52,14 +52,15 @@ void Place::require_replaceable(bool replace) const {
     const Reader recording(name_);
   } catch (const Error& error) {
     if (error.status() == Status::kOutOfMemory) throw;
-    fail(Status::kFile, "cannot write {}: a file is there that is no whole recording, and is not overwritten", given_);
+    fail(Status::kFile, "cannot write {}: there is a file that is not a whole recording; it is not overwritten",
+         given_);
   }
   if (!replace)
     fail(Status::kFile, "cannot write {}: a recording is there, which is replaced only where `replace` is set", given_);
 }
 
 void Place::fail_used() const {
-  fail(Status::kFile, "cannot write {}: a file is there that may not be written, or that a program is using", given_);
+  fail(Status::kFile, "cannot write {}: there is a file that may not be written, or that a program is using", given_);
 }
 
 void Place::require_room(std::size_t content) const {
@@ -85,7 +86,7 @@ void Place::settle(int file) {
 
 void Place::require_untouched(int file) const {
   if (settled_ && !stands(file, name_, bytes_)) {
-    fail(Status::kFile, "cannot write {}: somebody else has moved, removed, replaced or cut it", given_);
+    fail(Status::kFile, "cannot write {}: another program has moved, removed, replaced or cut it", given_);
   }
 }
 

@@ -28,7 +28,7 @@ void require_plain_file(const std::string& path) {
     fail(Status::kNotFound, "cannot read {}: there is no such file, or it may not be read", path);
   }
   if (fs::is_directory(status)) fail(Status::kFile, "cannot read {}: it is a folder", path);
-  if (!fs::is_regular_file(status)) fail(Status::kFile, "cannot read {}: it is no plain file", path);
+  if (!fs::is_regular_file(status)) fail(Status::kFile, "cannot read {}: it is not a plain file", path);
 }
 
 hdf5::Handle open_file(const hdf5::Library& h5, const std::string& path) {
@@ -137,7 +137,7 @@ void Reader::read_number(const std::string& name, int type_class, hdf5::Id type,
   const hdf5::Handle attribute = open_attribute(name);
   const hdf5::Handle stored(h5_.AttributeType(attribute.id()), h5_.CloseType);
   const bool number = stored && h5_.TypeClass(stored.id()) == type_class && h5_.TypeSize(stored.id()) <= kLargestNumber;
-  if (!number) damaged("its attribute '" + name + "' is not a number of the type that it should be");
+  if (!number) damaged("its attribute '" + name + "' is not a number of the right type");
   if (h5_.ReadAttribute(attribute.id(), type, value) < 0) damaged("its attribute '" + name + "' cannot be read");
 }
 
@@ -205,7 +205,8 @@ void Reader::require_plain_storage(const std::string& name, const Table& table) 
     unsigned flags = 0, how = 0;
     std::size_t values = 0;
     const int filter = h5_.Filter(stored.id(), i, &flags, &values, nullptr, 0, nullptr, &how);
-    if (filter < hdf5::kDeflate || filter > hdf5::kFletcher32) damaged("'" + name + "' is packed in an unknown way");
+    if (filter < hdf5::kDeflate || filter > hdf5::kFletcher32)
+      damaged("'" + name + "' is compressed in an unknown way");
   }
   if (layout != hdf5::kChunked) return;
   std::vector<hdf5::Size> chunk(kMostDimensions);

@@ -82,7 +82,7 @@ Recording::Recording(const std::string& path)
     mujoco_ = file_.text("mujoco");
     require_byte_order(file_);
   }
-  if (!(step_seconds_ > 0 && std::isfinite(step_seconds_))) file_.damaged("'step_seconds' is no time");
+  if (!(step_seconds_ > 0 && std::isfinite(step_seconds_))) file_.damaged("'step_seconds' is not a time");
   check_tables(file_);
   steps_ = whole_steps(file_);
   actions_ = row_bytes_of(file_, kActions) / sizeof(float);
@@ -116,8 +116,8 @@ void Recording::read_states() {
 std::string Recording::world() const {
   if (file_.has(kWorld) && file_.has(kDocuments)) return file_.content(kWorld);
   fail(Status::kUnsupported,
-       "{} has format version {}, which holds no world: it lacks '{}' and '{}'; make the world yourself", file_.path(),
-       file_.integer("format_version"), kWorld, kDocuments);
+       "{} has format version {}, which does not contain the world ('{}' and '{}'); make the world yourself",
+       file_.path(), file_.integer("format_version"), kWorld, kDocuments);
 }
 
 scene::Source Recording::scene_of(std::size_t body) const {
@@ -143,7 +143,7 @@ scene::Source Recording::scene(const Growths& growths) const {
   for (std::size_t body = 0; body < bodies_; ++body) {
     if (growths_of_body(body) == growths) return scene_of(body);
   }
-  fail(Status::kUnsupported, "growth: {} holds its scene with infants of {} ages, and this is none of them",
+  fail(Status::kUnsupported, "growth: {} holds its scene with infants of {} ages, and this is not one of them",
        file_.path(), bodies_);
 }
 
@@ -155,7 +155,7 @@ void Recording::require_same_model(const env::World& world, std::size_t body) co
   fail(Status::kMismatch,
        "{} was recorded with another model: its hash is {:016x} with libmimo {} and MuJoCo {}, and that of env is "
        "{:016x}; "
-       "a replay by joints does not need the same one",
+       "a replay by joints works with any model",
        file_.path(), recorded, library_, mujoco_, world.model_hash());
 }
 
@@ -259,8 +259,8 @@ void Recording::give_results(const env::Results& results) {
 }
 
 void Recording::play(blueprint::AgingWorld& target, std::uint8_t* block, const env::Results& results) {
-  if (target_ == nullptr) fail(Status::kBusy, "recording has no replay: mimo_recording_seek begins one");
-  require(target_ == &target, "env is not the world that mimo_recording_seek was given");
+  if (target_ == nullptr) fail(Status::kBusy, "no replay has begun: call mimo_recording_seek first");
+  require(target_ == &target, "env is not the world that was passed to mimo_recording_seek");
   if (next_ >= steps_) fail(Status::kEnd, "{} ends at step {}", file_.path(), steps_);
   for (; next_state_ < states_.size() && states_[next_state_].step <= next_; ++next_state_) {
     if (states_[next_state_].changed) enter(target, next_state_);

@@ -334,7 +334,7 @@ struct Anatomy::Reader {
 Anatomy::Anatomy(pugi::xml_node root, const std::string& prefix) : root_(root) {
   const std::string name = prefix + names::kRootBody;
   const pugi::xml_node body = document::find_named(root, "body", name);
-  if (body.empty()) fail(Status::kNotFound, "no body \"{}\", so there is no infant that could grow", name);
+  if (body.empty()) fail(Status::kNotFound, "no body \"{}\", so there is no infant to grow", name);
   Reader reader{*this, prefix, document::Defaults(root), document::in_radians(root) ? 1 : kDegree};
   reader.read_body(body, -1);
   reader.read_motors();
@@ -378,7 +378,7 @@ unsigned groups_from(const std::string& words) {
   unsigned groups = 0;
   for (std::string word; stream >> word;) {
     const unsigned group = group_named(word);
-    if (group == 0) fail(Status::kModel, "{}: \"{}\" is no part of the infant", names::kActs, word);
+    if (group == 0) fail(Status::kModel, "{}: \"{}\" is not a part of the infant", names::kActs, word);
     groups |= group;
   }
   return groups;

@@ -62,8 +62,8 @@ unsigned groups_from(const std::string& words);
 
 // Joints of a document: where they start and where they are held. Values are radians or metres.
 
-// Both throw Status::kNotFound for a joint that is not there, and kInvalidArgument for one that is no hinge or slide,
-// and for a value out of its range.
+// Both throw Status::kNotFound for a joint that is not there, and kInvalidArgument for one that is not a hinge or
+// slide, and for a value out of its range.
 void start_joint(pugi::xml_node root, const std::string& joint, double value);
 // It starts where it is held.
 void lock_joint(pugi::xml_node root, const std::string& joint, double value);

@@ -24,7 +24,7 @@ pugi::xml_node only_body(pugi::xml_node root, const std::string& what) {
       ++count;
     }
   }
-  if (count != 1) fail(Status::kModel, "{}: {} bodies stand in its worldbody, expected one", what, count);
+  if (count != 1) fail(Status::kModel, "{}: its worldbody has {} bodies, expected one", what, count);
   return body;
 }
 

@@ -158,7 +158,7 @@ const growth::Bone& bone_of(const Skeleton& skeleton, const std::string& name) {
   for (const growth::Bone& bone : skeleton.bones) {
     if (bone.name == name) return bone;
   }
-  fail(Status::kUnsupported, "the infant has no body \"{}\", so it is none that grows", name);
+  fail(Status::kUnsupported, "the infant has no body \"{}\", so it cannot grow", name);
 }
 
 // From the shoulder to the wrist.

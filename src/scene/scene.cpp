@@ -87,7 +87,7 @@ std::array<double, 6> picture_axes(const Camera& camera) {
   const Eigen::Map<const Eigen::Vector3d> from(camera.position.data());
   const Eigen::Map<const Eigen::Vector3d> to(camera.look_at.data());
   const Eigen::Vector3d forward = to - from;
-  require(forward.norm() > 1e-9, "camera \"{}\" looks at the point where it is", camera.name);
+  require(forward.norm() > 1e-9, "camera \"{}\" looks at its own position", camera.name);
   Eigen::Vector3d right = forward.cross(Eigen::Vector3d::UnitZ());
   if (right.norm() < 1e-6 * forward.norm()) right = forward.cross(Eigen::Vector3d::UnitY());
   const Eigen::Vector3d up = right.cross(forward);
@@ -244,7 +244,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const d
   const bool no_place =
       pose == nullptr && bodies_ == 0 && numbers_of(document_->document_element(), names::kPlaces).empty();
   const std::optional<document::Pose> place = pose != nullptr ? *pose : free_place();
-  require(place.has_value(), "position: the scene has no place for infant number {}; give one", bodies_ + 1);
+  require(place.has_value(), "position: the scene has no place for infant number {}; set its position", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_->document_element(), models_);
   const std::vector<std::string> fit = recipe.bodies();
   const std::string kind = kind_of(body);

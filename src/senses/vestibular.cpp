@@ -89,8 +89,8 @@ Labyrinth::Head head_of(const mjModel& model, const body::Body& body, const Vest
 std::unique_ptr<observation::Sense> make_vestibular(const mjModel& model, const body::Body& body,
                                                     const VestibularOptions& options, double tick) {
   require(body.infant || !options.at.empty(),
-          "vestibular is on, but the agent is no infant: vestibular_at has to name a site or body that carries the "
-          "organ, or vestibular = 0");
+          "vestibular is on, but the agent is not an infant: set vestibular_at to the site or body that carries the "
+          "organ, or vestibular to 0");
   std::vector<observation::Signal> signals =
       options.at.empty() ? readings(body, options) : motions(find_place(model, options.at), options);
   std::unique_ptr<Labyrinth> labyrinth;

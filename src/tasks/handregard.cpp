@@ -14,7 +14,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"handregard/episode_steps", 1000, 0, 1e9, "Steps after which an episode is cut off; 0: never"},
-    {"handregard/angle", 15 * kDegree, 0, kPi, "A hand is looked at that is less than this beside the axis, rad"},
+    {"handregard/angle", 15 * kDegree, 0, kPi, "An eye looks at a hand that is less than this beside its axis, rad"},
     {"handregard/view_reward", 0, -1e9, 1e9, "Reward of a step for each eye and each hand in its view"},
     {"handregard/settle_steps", 100, 0, 10000, "Physics steps without control at the start of an episode"},
     {"handregard/warm_up_steps", 10, 0, 10000, "Physics steps of random actions after that"},

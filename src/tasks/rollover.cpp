@@ -15,10 +15,11 @@ constexpr Parameter kParameters[] = {
     {"rollover/ends_on_success", 0, 0, 1, "1: success ends the episode"},
     {"rollover/start", 0, 0, 2, "0: on the back; 1: on the belly; 2: drawn for each episode"},
     {"rollover/over_chest", 0, 0, 1, "0: the hip is to turn over; 1: hip and chest, by their mean"},
-    {"rollover/success", 0.8, 0, 1, "Success is a posture of this or above"},
+    {"rollover/success", 0.8, 0, 1, "Success is a posture of at least this"},
     {"rollover/posture_weight", 1, -1e9, 1e9, "Reward of having turned over"},
-    {"rollover/control_weight", 0.01, -1e9, 1e9, "Times the sum of the squared control inputs is subtracted"},
-    {"rollover/pose_noise", 0.01, 0, 1, "Every joint starts this far off the stored pose at most, rad"},
+    {"rollover/control_weight", 0.01, -1e9, 1e9,
+     "The sum of the squared control inputs times this is subtracted from the reward"},
+    {"rollover/pose_noise", 0.01, 0, 1, "Every joint starts at most this far from the stored pose, rad"},
     {"rollover/settle_steps", 100, 0, 10000, "Physics steps without control at the start of an episode"},
 };
 

@@ -14,7 +14,7 @@ constexpr Parameter kParameters[] = {
     {"selfbody/ends_on_success", 1, 0, 1, "1: success ends the episode"},
     {"selfbody/success_reward", 500, -1e9, 1e9, "Reward when the target body feels a force"},
     {"selfbody/distance_weight", 1, -1e9, 1e9,
-     "Else, when the right fingers feel a force: times their distance from the target body, m, is subtracted"},
+     "Else, when the right fingers feel a force: their distance from the target body, m, times this is subtracted"},
     {"selfbody/no_touch_reward", -1, -1e9, 1e9, "Reward when neither feels anything"},
     {"selfbody/settle_steps", 25, 0, 10000,
      "Physics steps without control that lead from the stored pose to the start"},
@@ -61,7 +61,7 @@ Selfbody::Selfbody(const mjModel& model, const body::Body& body, const Settings&
   for (std::size_t i = 0; i < skin_.size(); ++i) {
     if (std::find(arm.begin(), arm.end(), skin_[i]) == arm.end()) candidates_.push_back(i);
   }
-  if (candidates_.empty()) fail(Status::kModel, "{}: no body but the right arm's has skin", names::kTouch);
+  if (candidates_.empty()) fail(Status::kModel, "{}: only bodies of the right arm have skin", names::kTouch);
   target_ = candidates_.front();
   const auto get = [&](const char* name) { return settings[std::string("selfbody/") + name]; };
   episode_steps_ = static_cast<std::uint64_t>(get("episode_steps"));

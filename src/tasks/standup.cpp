@@ -10,11 +10,12 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"standup/episode_steps", 500, 0, 1e9, "Steps after which an episode is cut off; 0: never"},
     {"standup/ends_on_success", 0, 0, 1, "1: success ends the episode"},
-    {"standup/success_height", 0.5, -100, 100, "Success is a head at this height or above, m"},
+    {"standup/success_height", 0.5, -100, 100, "Success: the head is at this height or above, m"},
     {"standup/base_height", 0.2, -100, 100, "The head's height is rewarded from here on, m"},
     {"standup/height_weight", 1, -1e9, 1e9, "Reward of a metre of height"},
-    {"standup/control_weight", 0.01, -1e9, 1e9, "Times the sum of the squared control inputs is subtracted"},
-    {"standup/pose_noise", 0.01, 0, 1, "Every joint starts this far off the stored pose at most, rad"},
+    {"standup/control_weight", 0.01, -1e9, 1e9,
+     "The sum of the squared control inputs times this is subtracted from the reward"},
+    {"standup/pose_noise", 0.01, 0, 1, "Every joint starts at most this far from the stored pose, rad"},
     {"standup/settle_steps", 100, 0, 10000, "Physics steps without control at the start of an episode"},
 };
 

@@ -144,7 +144,7 @@ static void check_handles(void) {
   CHECK_TEXT(mimo_last_error(), message_of(scene));
 
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "handle is NULL", mimo_last_error_of(NULL, text, sizeof text, NULL));
-  CHECK_FAILS(MIMO_E_BAD_HANDLE, "handle is no handle", mimo_last_error_of(no_handle, text, sizeof text, NULL));
+  CHECK_FAILS(MIMO_E_BAD_HANDLE, "handle is not a handle", mimo_last_error_of(no_handle, text, sizeof text, NULL));
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "text has a length of 8 bytes", mimo_last_error_of(scene, text, 8, NULL));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "text is NULL", mimo_last_error_of(scene, NULL, 8, NULL));
   CHECK_TEXT("as it", text);

@@ -623,9 +623,9 @@ static void files_of_others_stay(void) {
   fclose(file);
   CHECK_TEXT("two years of data", found);
   CHECK(unlink(path) == 0 && mkfifo(path, 0600) == 0); /* at which opening would wait */
-  CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recorder_open(env, path, &config, &recorder));
+  CHECK_FAILS(MIMO_E_FILE, "not a plain file", mimo_recorder_open(env, path, &config, &recorder));
   mimo_recording* recording = NULL;
-  CHECK_FAILS(MIMO_E_FILE, "no plain file", mimo_recording_open(path, NULL, &recording));
+  CHECK_FAILS(MIMO_E_FILE, "not a plain file", mimo_recording_open(path, NULL, &recording));
   unlink(path);
   write_text(""); /* as mkstemp leaves it */
   recorder = record(env, NULL);
@@ -656,8 +656,8 @@ static void what_is_taken_away_is_told(void) {
     CHECK_OK(mimo_recorder_flush(recorder));
     CHECK((how == 0 ? unlink(path) : truncate(path, 10)) == 0);
     go(env, 2);
-    CHECK_FAILS(MIMO_E_FILE, "somebody else has", mimo_recorder_flush(recorder));
-    CHECK_FAILS(MIMO_E_FILE, "somebody else has", mimo_recorder_close(recorder));
+    CHECK_FAILS(MIMO_E_FILE, "another program has", mimo_recorder_flush(recorder));
+    CHECK_FAILS(MIMO_E_FILE, "another program has", mimo_recorder_close(recorder));
     unlink(path);
   }
   mimo_env_destroy(env);

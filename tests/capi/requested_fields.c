@@ -414,9 +414,9 @@ static void check_refused(void) {
   refuse(MIMO_E_INVALID_ARGUMENT, "elements[0] is NULL", field_for("ball", MIMO_BODY_POSITION, nothing, 1, NULL));
   refuse(MIMO_E_INVALID_ARGUMENT, "MIMO_CONTACT_FORCE, of which worlds have different numbers",
          field_for("f", MIMO_CONTACT_FORCE, ball, 1, NULL));
-  refuse(MIMO_E_INVALID_ARGUMENT, "MIMO_SENSOR_VALUE, which physics steps compute",
+  refuse(MIMO_E_INVALID_ARGUMENT, "MIMO_SENSOR_VALUE, which only physics steps compute",
          field_for("s", MIMO_SENSOR_VALUE | MIMO_NOW, ball, 1, NULL));
-  refuse(MIMO_E_INVALID_ARGUMENT, "relative_to is \"table\", but MIMO_BODY_MASS is in no frame",
+  refuse(MIMO_E_INVALID_ARGUMENT, "relative_to is \"table\", but MIMO_BODY_MASS has no frame",
          field_for("m", MIMO_BODY_MASS, ball, 1, "table"));
   refuse(MIMO_E_UNSUPPORTED, "quantity is 0x1ff", field_for("x", 0x1ff, ball, 1, NULL));
   refuse_world(MIMO_E_NOT_FOUND, "field \"two\": no body named \"ghost\"; there are: ", scene_of(kModel),

@@ -121,7 +121,7 @@ static void add_cameras(mimo_scene* scene) {
   camera.body = NULL;
   camera.look_at[0] = camera.position[0];
   camera.look_at[2] = camera.position[2];
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "looks at the point where it is", mimo_scene_add_camera(scene, &camera));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "looks at its own position", mimo_scene_add_camera(scene, &camera));
   camera.look_at[0] = 0.01; /* the middle of the head's sphere: 0.4 + 0.076 + 0.091 + 0.135 + 0.0735 above the floor */
   camera.look_at[2] = 0.7755;
   camera.position[2] = 0.7755;

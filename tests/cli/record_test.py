@@ -71,7 +71,7 @@ class Record(Case):
         self.record("--seconds", "0.1")
         with h5py.File(self.folder / "run.h5", "r+") as file:
             file.attrs["format_version"] = 2
-        self.assertIn("has format version 2, which holds no scene; --scene", self.mimo("replay", "run.h5", code=1))
+        self.assertIn("has format version 2, which contains no scene; pass it with --scene", self.mimo("replay", "run.h5", code=1))
         report = self.replay("--scene", "benchmark", "--touch", "off")
         self.assertIs(report["identical"], True)
 

@@ -56,7 +56,8 @@ int main(void) {
   CHECK(!sigismember(&mask, SIGTERM) && !sigismember(&mask, SIGUSR1));
 
   let = 3; /* send needs one more, because the caller goes its own way */
-  CHECK_FAILS(MIMO_E_OUT_OF_MEMORY, "thread 4 of 4 cannot be started, ask for fewer: the system gives no thread: ",
+  CHECK_FAILS(MIMO_E_OUT_OF_MEMORY,
+              "thread 4 of 4 cannot be started, ask for fewer: the system cannot start a thread: ",
               mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
   CHECK_OK(mimo_batch_step(batch, NULL, 0, NULL, 0, NULL)); /* it is as it was */
   let = 4;

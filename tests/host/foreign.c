@@ -205,14 +205,16 @@ static void check_lacks(void) {
   mimo_scene_destroy(scene);
   config.actuation = MIMO_ACTUATION_POSITION;
   scene = scene_of(&config);
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "position control: joint hip_left of swing_left has no equality that could hold it",
-              attach(scene, h, &senses));
+  CHECK_FAILS(
+      MIMO_E_UNSUPPORTED,
+      "position control: joint hip_left of swing_left has no equality constraint in the model that could hold it",
+      attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   config.actuation = MIMO_ACTUATION_TORQUE;
   config.touch = MIMO_TOUCH_FORCE;
   scene = scene_of(&config);
   CHECK_OK(mimo_scene_set_touch(scene, 0, "skull", 0.01));
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "touch: no body \"skull\" that could have a skin; there are: thigh_left, shin_left",
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "touch: no body \"skull\" with a surface for skin; there are: thigh_left, shin_left",
               attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   config = part_of(NULL);
@@ -249,7 +251,7 @@ static void check_requested(void) {
   field.elements = sole;
   field.element_count = 1;
   CHECK_OK(mimo_scene_add_field(scene, &field));
-  CHECK_FAILS(MIMO_E_UNSUPPORTED, "field \"goal\": attached senses know of no agent", attach(scene, h, &senses));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "field \"goal\": attached senses have no agent", attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   unload(h);
 }

@@ -200,5 +200,5 @@ def test_a_recorded_world_does_not_wait_for_other_files(whole, tmp_path):
 
 def test_a_pipe_is_refused_as_a_recording(tmp_path):
     os.mkfifo(tmp_path / "pipe")
-    with pytest.raises(mimo.FileError, match="no plain file"):
+    with pytest.raises(mimo.FileError, match="not a plain file"):
         mimo.Recording(tmp_path / "pipe")

@@ -264,7 +264,7 @@ TEST_F(EnvAccess, CurrentPosesAreThoseAfterTheStep) {
     EXPECT_EQ(now, copy(moved.data().xpos, 3 * model().nbody));
   }
   EXPECT_EQ(get(MIMO_JOINT_POSITION, {0}, true), get(MIMO_JOINT_POSITION, {0})) << "always current";
-  expect_error(Status::kInvalidArgument, "MIMO_JOINT_ACCELERATION, which physics steps compute",
+  expect_error(Status::kInvalidArgument, "MIMO_JOINT_ACCELERATION, which only physics steps compute",
                [&] { get(MIMO_JOINT_ACCELERATION, {0}, true); });
 }
 

@@ -249,7 +249,7 @@ TEST_F(SceneOlder, RefusesRemovedElementsWithTheirPlace) {
           "the body around it is \"B0\", expected \"rB\"");
   refused(composite("type='cloth' count='3 3 1' spacing='.1'"), "expected \"B\" and X_Y");
   refused(composite("type='box' count='3 3 1' spacing='.1'"), "expected three dimensions");
-  refused(composite("type='grid' count='3 1 1' spacing='.1'", "<tendon kind='shear'/>"), "want two dimensions");
+  refused(composite("type='grid' count='3 1 1' spacing='.1'", "<tendon kind='shear'/>"), "need two dimensions");
   refused(composite("type='grid' count='3 2 1' spacing='.1'", "<skin subgrid='2'/>"), "3 by 3 elements");
   refused(composite("type='rope' count='3 1 1' spacing='.1'", "<geom type='box' size='1 1 1'/>"),
           "type of its geom is");

@@ -151,7 +151,7 @@ TEST_F(SceneFurnish, StoredPoses) {
   EXPECT_EQ(angle(start(pose("mimo:pose", "j")), "j"), 0.7);
   EXPECT_EQ(angle(start(pose("cup/mimo:pose", "j")), "j"), 0.7);
   EXPECT_EQ(angle(start(pose("notmimo:pose", "j")), "j"), 0);
-  expect_error(Status::kModel, "joint ball is no hinge", [&] { start(pose("mimo:pose", "ball")); });
+  expect_error(Status::kModel, "joint ball is not a hinge", [&] { start(pose("mimo:pose", "ball")); });
   engine::Physics placed = start("<numeric name='x/mimo:root' data='1 2 3 0 0 0 2'/>");
   EXPECT_EQ(place(placed, "x/mimo_location"), (std::vector<double>{1, 2, 3}));
   EXPECT_EQ(copy(placed.data().qpos + placed.model().nq - 4, 4), (std::vector<double>{0, 0, 0, 1})) << "normalised";

@@ -91,7 +91,7 @@ TEST_F(SceneObjects, ACameraThatIsRefusedLeavesNoTrace) {
   scene::Scene scene(from_text("<mujoco/>"));
   const std::string before = scene.xml();
   const scene::Camera blind{"aside", "", {1, 2, 3}, {1, 2, 3}};
-  expect_error(Status::kInvalidArgument, "looks at the point where it is", [&] { scene.add_camera(blind); });
+  expect_error(Status::kInvalidArgument, "looks at its own position", [&] { scene.add_camera(blind); });
   EXPECT_EQ(scene.xml(), before);
 }
 

@@ -116,7 +116,7 @@ TEST(TouchInfant, BodiesWithoutSkinFeelNothingAndTheOthersStillDo) {
 TEST(TouchInfant, RefusesUnknownBodiesAndListsTheKnownOnes) {
   env::AgentOptions options = blind();
   options.touch.spacing = {{"left_tentacle", 0.01}};
-  expect_error(Status::kNotFound, "no body \"left_tentacle\" that could have a skin; there are: hip, lower_body",
+  expect_error(Status::kNotFound, "no body \"left_tentacle\" with a surface for skin; there are: hip, lower_body",
                [&] { benchmark_world(options); });
   options.touch.spacing = {{"mimo_location", 0.01}};  // it has no geoms
   expect_error(Status::kNotFound, "no body \"mimo_location\"", [&] { benchmark_world(options); });

@@ -34,7 +34,7 @@ internal static partial class Tests
                 var info = recording.Info;
                 Check(info.Steps == 11 && info.Bodies == 2 && info.SameBuild, "info");
                 Check(info.Configuration == "{}" && info.Seed == "7", info.Configuration);
-                Says("recording has no replay: Recording.Seek begins one", () => recording.Step(twin));
+                Says("no replay has begun: call Recording.Seek first", () => recording.Step(twin));
                 Check(recording.Seek(twin) == 0, "seek");
                 recording.Step(twin);
                 var report = recording.Play(twin);

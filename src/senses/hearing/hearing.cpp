@@ -161,13 +161,14 @@ int ball_of_head(const mjModel& model, int head) {
 std::unique_ptr<observation::Sense> make_hearing(const mjModel& model, const body::Body& body,
                                                  const HearingOptions& options, const HearingSetting& setting) {
   const int head = body.infant ? body.head : body.root;
-  if (head <= 0) fail(Status::kUnsupported, "hearing: the agent has no head for ears to be on; switch hearing off");
+  if (head <= 0) fail(Status::kUnsupported, "hearing: the agent has no head with ears; switch hearing off");
   const int ball = ball_of_head(model, head);
   return std::make_unique<Hearing>(std::make_unique<Reception>(head, ball, setting), options, setting);
 }
 
 Mouth mouth_of(const mjModel& model, const body::Body& body) {
-  if (!body.infant || body.head <= 0) fail(Status::kUnsupported, "voice: only infants have one; leave it 0");
+  if (!body.infant || body.head <= 0)
+    fail(Status::kUnsupported, "voice is 1, but only infants have a voice; expected 0");
   constexpr double kDown = 0.5;  // of the head's radius, below its middle: where the built-in faces have it
   const int ball = ball_of_head(model, body.head);
   const double radius = ball < 0 ? kUsualRadius : model.geom_size[3 * ball];

@@ -194,7 +194,7 @@ std::size_t Soundscape::add(const Mouth& mouth) {
 }
 
 void Soundscape::play(int body, Span<const float> samples, double rate) {
-  require(std::abs(rate - rate_) <= 1e-6 * rate_, "rate is {}, expected {}: the samples a second that ears get here",
+  require(std::abs(rate - rate_) <= 1e-6 * rate_, "rate is {}, expected {}: the sample rate of ears in this world",
           rate, rate_);
   const auto same = [&](const Playing& one) { return one.body == body; };
   const auto idle = [](const Playing& one) { return one.body < 0; };
@@ -205,9 +205,9 @@ void Soundscape::play(int body, Span<const float> samples, double rate) {
   }
   const bool goes_on = found != playing_.end();
   if (!goes_on) found = std::find_if(playing_.begin(), playing_.end(), idle);
-  require(found != playing_.end(), "body {} is one too many to play: {} do so at once", body, playing_.size());
+  require(found != playing_.end(), "body {} cannot play: {} bodies already do", body, playing_.size());
   const std::size_t room = found->queue.room(now_);
-  require(samples.size() <= room, "count is {}, expected up to {} samples: there is no room for more to wait",
+  require(samples.size() <= room, "count is {}, expected up to {} samples: no more can wait to be played",
           samples.size(), room);
   if (!goes_on) {
     found->queue.clear();

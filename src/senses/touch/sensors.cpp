@@ -190,7 +190,7 @@ BornGeoms::BornGeoms(const mjModel& model, const body::Body& body) {
     if (count == 0) size.setZero();
     const bool fits = size.allFinite() && (size.head(count).array() > 0).all();
     if (fits && places_[static_cast<std::size_t>(geom)].allFinite()) continue;
-    fail(Status::kModel, "numeric {}: a size of geom \"{}\" is not above 0, or its place is no number", name,
+    fail(Status::kModel, "numeric {}: a size of geom \"{}\" is not above 0, or its position is not a number", name,
          engine::name(model, engine::Kind::kGeom, geom));
   }
 }

@@ -197,8 +197,8 @@ Skin::Skin(const mjModel& model, const std::vector<BodySpacing>& bodies, const B
   for (const BodySpacing& body : bodies) {
     expected += expected_sensors(model, body.body, body.spacing, born);
     require(expected <= kMaxSensors,
-            "touch: {:g} m between the sensors of body \"{}\" makes too many: about {:.3g}, at most {:g}", body.spacing,
-            engine::name(model, engine::Kind::kBody, body.body), expected, kMaxSensors);
+            "touch: {:g} m between the sensors of body \"{}\" would make about {:.3g} sensors, expected at most {:g}",
+            body.spacing, engine::name(model, engine::Kind::kBody, body.body), expected, kMaxSensors);
   }
   for (const BodySpacing& body : bodies) add(model, body, born);
 }

@@ -43,7 +43,7 @@ void check_names(const mjModel& model, const body::Body& body, const TouchOption
   }
   for (const auto& [name, spacing] : options.spacing) {
     if (std::find(there.begin(), there.end(), name) != there.end()) continue;
-    fail(Status::kNotFound, "touch: no body \"{}\" that could have a skin; there are: {}", name, join(there, ", "));
+    fail(Status::kNotFound, "touch: no body \"{}\" with a surface for skin; there are: {}", name, join(there, ", "));
   }
 }
 

@@ -105,7 +105,7 @@ TEST_F(WithoutLock, PositionControlIsRefused) {
   options.mode = Mode::kPosition;
   for (const bool none : {false, true}) {
     options.none = none;
-    expect_error(Status::kUnsupported, "joint elbow of push has no equality that could hold it",
+    expect_error(Status::kUnsupported, "joint elbow of push has no equality constraint in the model that could hold it",
                  [&] { felt(options); });
   }
 }

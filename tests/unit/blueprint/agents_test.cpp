@@ -61,7 +61,7 @@ TEST(BlueprintAgents, ARootBelongsToTheScene) {
   plan = part("", "one");
   plan.acts = scene::kHead;
   EXPECT_EQ(joining(blueprint, plan),
-            "acts is 0x2, but its parts are those of infants; 0 or MIMO_ACT_NONE goes with a root");
+            "acts is 0x2, but only infants have such parts; expected 0 or MIMO_ACT_NONE beside a root");
   EXPECT_TRUE(blueprint.current().agents.all().empty());
 }
 
