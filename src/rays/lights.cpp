@@ -49,13 +49,36 @@ void open_eye(const Light& light, double cutoff, Eye& eye) {
   eye.rays = light.directional ? Rays::kParallel : light.spot && cutoff <= 80 ? Rays::kPerspective : Rays::kAround;
 }
 
-// An unlimited opaque plane never comes between a light and what a camera on the same side sees.
-bool never_shades(const Solid& solid, const Eye& light, const Eye& camera) {
-  if (solid.kind != Form::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
+// Whether a camera before a plane sees nothing that is behind it: the plane has no edges, or the camera is above its
+// rectangle, and every other solid is before the plane or above the rectangle, too, which then hides what is behind.
+bool hides_all_behind(const Solid& plane, double side, const Solids& solids, const Eye& camera) {
+  const auto covers = [&plane](const Vec& at, double radius) {
+    for (int k = 0; k < 2; ++k) {
+      if (plane.size[k] > 0 && !(std::abs(at[k]) + radius < plane.size[k] * (1 - 1e-5))) return false;
+    }
+    return true;
+  };
+  if (plane.size[0] <= 0 && plane.size[1] <= 0) return true;
+  if (!covers(to_local(plane, camera.position - plane.position), 0)) return false;
+  for (int i = 0; i < solids.count(); ++i) {
+    const Solid& other = solids[i];
+    if (&other == &plane) continue;
+    const Vec at = to_local(plane, other.position - plane.position);
+    const bool before = other.kind != Form::kPlane && side * at[2] > other.radius;
+    if (!before && (other.kind == Form::kPlane || !covers(at, other.radius))) return false;
+  }
+  return true;
+}
+
+// An opaque plane never comes between a light and what a camera on the same side sees, unless that is seen past its
+// edges.
+bool never_shades(const Solid& solid, const Eye& light, const Solids& solids, const Eye& camera) {
+  if (solid.kind != Form::kPlane || solid.transparent) return false;
   const Vec normal = solid.rotation.col(2);
   const double light_side =
       light.rays == Rays::kParallel ? -dot(light.axes.col(2), normal) : dot(light.position - solid.position, normal);
-  return light_side * dot(camera.position - solid.position, normal) > 0;
+  const double camera_side = dot(camera.position - solid.position, normal);
+  return light_side * camera_side > 0 && hides_all_behind(solid, camera_side < 0 ? -1 : 1, solids, camera);
 }
 
 }  // namespace
@@ -119,7 +142,7 @@ void Lights::cast_shadows(const Solids& solids, const Camera& camera, double sun
     const bool sun = eye.rays == Rays::kParallel, near_by = sun && sun_reach > 0;
     if (near_by) eye.wide = eye.high = sun_reach;
     for (int i = 0; i < solids.count(); ++i) {
-      if (never_shades(solids[i], eye, camera)) continue;
+      if (never_shades(solids[i], eye, solids, camera)) continue;
       // MuJoCo lets transparent things cast shadows, too. A light of parallel rays shines from infinitely far away,
       // unless its shadows have a reach.
       eye.look_at(solids[i], i, sun && !near_by ? -kEverywhere : 0.0);

@@ -1,4 +1,4 @@
-// Tiles that show nothing but an endless plane, or nothing but sky: nothing has to be cast there.
+// Tiles that show nothing but a plane, or nothing but sky: nothing has to be cast there.
 // Compiled once for each instruction set, see kernels.cpp.
 #if defined(MIMO_RAYS_PLAIN_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MIMO_RAYS_PLAIN_INL_H
@@ -49,13 +49,37 @@ inline bool FindDepths(const Frame& frame, const Aspect& aspect, Tile& tile) {
   return tile.nearest > frame.camera.near_plane * (1 + kHair) && tile.farthest < end * (1 - kHair);
 }
 
+// Whether a plane with edges reaches beyond all corners of a tile.
+inline bool Covers(const Solid& solid, const Aspect& aspect, const Tile& tile) {
+  const auto slope = [](const float* v, float step, bool last) {
+    return last ? v[kTile - 1] + 0.02F * step : v[0] - 0.02F * step;
+  };
+  for (int i = 0; i < 4; ++i) {
+    const float x = slope(tile.x, tile.dx, (i & 1) != 0);
+    const float y = slope(tile.y, tile.dy, (i & 2) != 0);
+    const float t = -aspect.o[2] / (aspect.a[2] + aspect.by[2] * y + aspect.bx[2] * x);
+    if (!(t > 0)) return false;
+    for (int k = 0; k < 2; ++k) {
+      const float at = aspect.o[k] + (aspect.a[k] + aspect.by[k] * y + aspect.bx[k] * x) * t;
+      if (solid.size[k] > 0 && !(std::abs(at) < solid.size[k] * (1 - kHair))) return false;
+    }
+  }
+  return true;
+}
+
+// Whether an eye may see anything in a tile.
+inline bool SeesAnything(const Eye& eye, const Tile& tile) {
+  return std::any_of(eye.aspects.begin(), eye.aspects.begin() + eye.count,
+                     [&tile](const Aspect& aspect) { return !IsEmpty(WindowOf(aspect, tile)); });
+}
+
 // Colours a tile that shows nothing but one plane, if that is smooth there.
 inline bool ColorPlane(const Frame& frame, int index, Tile& tile, std::uint32_t* out) {
   const Aspect& aspect = frame.camera.aspects[index];
   const Solid& solid = frame.solids[aspect.solid];
-  if (solid.kind != Form::kPlane || solid.size[0] > 0 || solid.size[1] > 0 || solid.transparent) return false;
-  if (frame.backdrop.fog.shown || frame.mirror.solid == aspect.solid) return false;
-  if (!FindDepths(frame, aspect, tile)) return false;
+  if (solid.kind != Form::kPlane || solid.transparent || frame.backdrop.fog.shown) return false;
+  if (!FindDepths(frame, aspect, tile) || !Covers(solid, aspect, tile)) return false;
+  if (frame.mirror.solid == aspect.solid && SeesAnything(frame.mirror.eye, tile)) return false;
   Shade shades[kMaxLights];
   const Subject subject = {&frame, &frame.camera, index, &tile, tile.t, tile.id, tile.face, shades, 1.0F};
   Smooth own;

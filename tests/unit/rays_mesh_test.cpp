@@ -1,4 +1,6 @@
 // Meshes and height fields: where rays meet them, and MuJoCo's own picture of them.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -175,6 +177,45 @@ TEST(RayMesh, EveryInstructionSet) {
       EXPECT_EQ(actual.ids, expected.ids) << path;
     }
   }
+}
+
+// A floor with edges far away looks like one without; what is seen past an edge lies in the shadow of a plane.
+TEST(RayMesh, PlanesWithEdges) {
+  const auto room = [](const char* size, const char* material) {
+    return std::string("<light directional='true' pos='0 0 3' dir='-.4 .3 -1' specular='0 0 0'/>") +
+           "<geom type='plane' size='" + size + "' material='" + material +
+           "'/><geom type='capsule' size='.1 .3' pos='.1 .2 .15' euler='70 20 0' material='mat'/>";
+  };
+  for (const char* material : {"uniform", "mirror", "mat"}) {
+    Studio endless(world(room("0 0 1", material), assets(), "<headlight ambient='.2 .2 .2' diffuse='.4 .4 .4'/>"));
+    Studio wide(world(room("30 20 1", material), assets(), "<headlight ambient='.2 .2 .2' diffuse='.4 .4 .4'/>"));
+    const render::View view = render::orbit_view({0, 0, 0.1}, 1.7, 30, -40, 45);
+    const Shot expected = endless.shoot(view, 150, 110);
+    const Shot shot = wide.shoot(view, 150, 110);
+    EXPECT_EQ(shot.ids, expected.ids);
+    int most = 0;
+    for (std::size_t i = 0; i < shot.rgb.size(); ++i) most = std::max(most, std::abs(shot.rgb[i] - expected.rgb[i]));
+    EXPECT_LE(most, 1) << material;
+  }
+  const auto table = [](const char* board) {
+    return std::string("<light directional='true' pos='0 0 3' dir='.6 0 -1' specular='0 0 0'/>") + "<geom " + board +
+           " material='mat'/><geom type='box' size='.3 .3 .01' pos='.65 0 -.5' material='mat'/>";
+  };
+  const std::string ambient = "<headlight ambient='.2 .2 .2' diffuse='0 0 0' specular='0 0 0'/>";
+  Studio plane(world(table("type='plane' size='.5 .5 1'"), "", ambient));
+  Studio box(world(table("type='box' size='.5 .5 .001' pos='0 0 -.001'"), "", ambient));
+  const render::View view = render::orbit_view({0.6, 0, -0.3}, 1.5, 180, -70, 45);
+  const Shot shot = plane.shoot(view, 101, 101);
+  const Shot expected = box.shoot(view, 101, 101);
+  int shaded = 0;
+  int different = 0;
+  for (std::size_t i = 0; i < shot.ids.size(); ++i) {
+    if (shot.ids[i] != 1 || expected.ids[i] != 1) continue;
+    shaded += expected.rgb[3 * i] < 60;
+    different += std::abs(shot.rgb[3 * i] - expected.rgb[3 * i]) > 1;
+  }
+  EXPECT_GT(shaded, 200);
+  EXPECT_LT(different, 20);
 }
 
 }  // namespace
