@@ -58,8 +58,8 @@ void PaintMirror(const Frame& frame, const Tile& tile, const std::int32_t* shown
   for (int k = 0; k < frame.mirror.eye.count; ++k) {
     const Window w = WindowOf(frame.mirror.eye.aspects[k], tile);
     if (IsEmpty(w)) continue;
-    Paint<Brush::kAdd>({&frame, &frame.mirror.eye, k, &tile, t, id, face, nullptr, frame.mirror.reflectance}, w,
-                       canvas);
+    Paint<Brush::kAdd>({&frame, &frame.mirror.eye, k, &tile, t, id, face, nullptr, nullptr, frame.mirror.reflectance},
+                       w, canvas);
   }
 }
 
@@ -77,7 +77,7 @@ void PaintTransparent(const Frame& frame, const Tile& tile, Canvas& canvas) {
     std::fill_n(id, kRays, -1);
     if (frame.solids.meshes()) std::fill_n(face, kRays, 0);
     Cast<false>(frame.solids, frame.camera, index, tile, w, &frame.camera.near_plane, t, id, face);
-    Paint<Brush::kBlend>({&frame, &frame.camera, index, &tile, t, id, face, nullptr, 1.0F}, w, canvas);
+    Paint<Brush::kBlend>({&frame, &frame.camera, index, &tile, t, id, face, nullptr, nullptr, 1.0F}, w, canvas);
   }
 }
 
@@ -92,14 +92,8 @@ struct Parts {
 };
 
 // Colours of all rays of a tile, as Packed() gives them.
-void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
+void ColorTile(const Frame& frame, Tile& tile, std::uint32_t* out) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
-
-  Shade shades[kMaxLights];
-  if (tile.nearest <= tile.farthest) {
-    LookForShadows(frame, tile, nullptr, shades);
-    CastShadows(frame, tile, shades);
-  }
 
   // The sky hides what is farther away than it is.
   const Sky& sky = frame.backdrop.sky;
@@ -122,6 +116,20 @@ void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
     for (int lane = 0; lane < lanes; ++lane) parts.add(last = shown[i + lane]);
   }
 
+  Normals normals;
+  for (int k = 0; k < parts.count && frame.solids.meshes(); ++k) {
+    const Aspect& aspect = frame.camera.aspects[parts.index[k]];
+    if (frame.solids[aspect.solid].kind != Form::kMesh) continue;
+    FindNormals(frame, aspect, parts.index[k], {&tile, tile.t, shown, tile.face}, WindowOf(aspect, tile), normals,
+                tile.away);
+  }
+
+  Shade shades[kMaxLights];
+  if (tile.nearest <= tile.farthest) {
+    LookForShadows(frame, tile, nullptr, shades);
+    CastShadows(frame, tile, shades);
+  }
+
   Canvas canvas;
   if (empty) {
     std::fill_n(canvas.r, kRays, 0.0F);
@@ -132,7 +140,8 @@ void ColorTile(const Frame& frame, const Tile& tile, std::uint32_t* out) {
     for (int k = 0; k < parts.count; ++k) {
       const int index = parts.index[k];
       const Window w = WindowOf(frame.camera.aspects[index], tile);
-      Paint<Brush::kPut>({&frame, &frame.camera, index, &tile, tile.t, shown, tile.face, shades, 1.0F}, w, canvas);
+      Paint<Brush::kPut>({&frame, &frame.camera, index, &tile, tile.t, shown, tile.face, shades, &normals, 1.0F}, w,
+                         canvas);
     }
     if (frame.backdrop.fog.shown) PaintFog(frame.backdrop.fog, tile, shown, canvas);
     if (frame.mirror.solid >= 0) PaintMirror(frame, tile, shown, canvas);

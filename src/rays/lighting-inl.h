@@ -15,6 +15,7 @@
 #include "rays/frame.h"
 #include "rays/lanes-inl.h"
 #include "rays/mesh-inl.h"
+#include "rays/normals-inl.h"
 #include "rays/sampling-inl.h"
 #include "rays/shadows-inl.h"
 #include "rays/tile-inl.h"
@@ -46,6 +47,7 @@ struct Subject {
   const std::int32_t* id;
   const std::int32_t* face;  // triangles of meshes
   const Shade* shades;       // one a caster; null where no shadows are wanted
+  const Normals* normals;    // of meshes
   float dim;                 // what the colour is multiplied by
   float sharp = 0;           // of a textured plane: up to this t no pixel spans more than a texel
 };

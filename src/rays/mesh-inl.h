@@ -21,45 +21,36 @@ struct Ray {
   V3 o, d;
 };
 
-// The nearest triangle from `from` on, so far: of triangles equally near that with the lowest number, so that the order
-// in which they are met does not matter.
-struct Encounter {
-  V t;
-  VI face;  // -1 for none
-};
-
 HWY_INLINE V3 Cross(const V3& a, const V3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// kBackToo: from behind as well.
-template <bool kBackToo>
-HWY_INLINE void MeetTriangle(const Triangle& triangle, int index, const Ray& ray, V from, Encounter& nearest) {
-  // Neighbours must not leave a gap.
-  const V least = Set(-1e-6F);
-  const V most = Set(1 + 1e-6F);
-  const V3 e1 = Set(triangle.edge1);
-  const V3 e2 = Set(triangle.edge2);
-  const V3 p = Cross(ray.d, e2);
-  const V det = Dot(e1, p);
-  M hit = kBackToo ? hn::Ne(det, Zero()) : hn::Gt(det, Zero());
-  if (None(hit)) return;
-  const V over = Set(1.0F) / Pick(hit, det, Set(1.0F));
-  const V3 s = ray.o - Set(triangle.corner);
-  const V u = Dot(s, p) * over;
-  hit = hn::And(hit, hn::Ge(u, least));
-  if (None(hit)) return;
-  const V3 q = Cross(s, e1);
-  const V v = Dot(ray.d, q) * over;
-  hit = hn::And(hit, hn::And(hn::Ge(v, least), hn::Le(u + v, most)));
-  const V t = Dot(e2, q) * over;
-  const VI number = SetI(index);
-  const M before =
-      hn::Or(hn::Lt(t, nearest.t), hn::And(hn::Eq(t, nearest.t), hn::RebindMask(D(), hn::Lt(number, nearest.face))));
-  hit = hn::And(hit, hn::And(before, hn::Ge(t, from)));
-  nearest.t = Pick(hit, t, nearest.t);
-  nearest.face = hn::IfThenElse(hn::RebindMask(DI(), hit), number, nearest.face);
-}
+// A triangle and rays that may meet it.
+struct Meeting {
+  V3 e1, e2, s, q;
+  V ahead;
+
+  HWY_INLINE Meeting(const V3& o, const V3& corner, const V3& edge1, const V3& edge2) : e1(edge1), e2(edge2) {
+    s = o - corner;
+    q = Cross(s, e1);
+    ahead = Dot(e2, q);
+  }
+
+  // Those of `which` that do, and where. kBackToo: from behind as well.
+  template <bool kBackToo>
+  HWY_INLINE M at(const V3& d, M which, V& t) const {
+    const V least = Set(-1e-6F);  // neighbours must not leave a gap
+    const V most = Set(1 + 1e-6F);
+    const V3 p = Cross(d, e2);
+    const V det = Dot(e1, p);
+    const M hit = hn::And(which, kBackToo ? hn::Ne(det, Zero()) : hn::Gt(det, Zero()));
+    const V over = Set(1.0F) / Pick(hit, det, Set(1.0F));
+    const V u = Dot(s, p) * over;
+    const V v = Dot(d, q) * over;
+    t = ahead * over;
+    return hn::And(hn::And(hit, hn::Ge(u, least)), hn::And(hn::Ge(v, least), hn::Le(u + v, most)));
+  }
+};
 
 // The rays that meet a box before what they have met already.
 HWY_INLINE M MeetBox(const Node& node, const Ray& ray, const V3& over, V from, V limit) {
@@ -75,9 +66,8 @@ HWY_INLINE M MeetBox(const Node& node, const Ray& ray, const V3& over, V from, V
 
 // The rays that meet anything of a mesh, from either side, from `from` on and before `limit`.
 HWY_NOINLINE M IsInTheWay(const Mesh& mesh, const Ray& ray, V from, V limit) {
-  Encounter nearest = {limit, SetI(-1)};
-  const auto met = [&] { return hn::RebindMask(D(), hn::Gt(nearest.face, SetI(-1))); };
-  if (mesh.nodes.empty()) return met();
+  M met = hn::Lt(Zero(), Zero());
+  if (mesh.nodes.empty()) return met;
   const auto over = [](V d) {  // finite
     const V tiny = hn::CopySign(Set(1e-20F), d);
     return Set(1.0F) / Pick(hn::Lt(hn::Abs(d), Set(1e-20F)), tiny, d);
@@ -89,7 +79,7 @@ HWY_NOINLINE M IsInTheWay(const Mesh& mesh, const Ray& ray, V from, V limit) {
   stack[depth++] = 0;
   while (depth > 0) {
     const Node& node = mesh.nodes[static_cast<std::size_t>(stack[--depth])];
-    if (None(MeetBox(node, ray, inverse, from, nearest.t))) continue;
+    if (None(MeetBox(node, ray, inverse, from, limit))) continue;
     if (node.child != 0) {
       const int nearer = ahead[node.axis] < 0;
       stack[depth++] = node.child + 1 - nearer;
@@ -97,12 +87,16 @@ HWY_NOINLINE M IsInTheWay(const Mesh& mesh, const Ray& ray, V from, V limit) {
       continue;
     }
     for (int i = node.first; i < node.first + node.count; ++i) {
-      MeetTriangle<true>(mesh.triangles[static_cast<std::size_t>(i)], i, ray, from, nearest);
+      const Triangle triangle = mesh.triangles[static_cast<std::size_t>(i)];
+      const Meeting meeting(ray.o, Set(triangle.corner), Set(triangle.edge1), Set(triangle.edge2));
+      V t;
+      const M hit = meeting.at<true>(ray.d, hn::Gt(limit, from), t);
+      met = hn::Or(met, hn::And(hit, hn::And(hn::Ge(t, from), hn::Lt(t, limit))));
     }
-    nearest.t = Pick(met(), Set(-kMiss), nearest.t);  // nothing more is asked of those
-    if (All(hn::Le(nearest.t, from))) break;          // from is -kMiss towards lights without a place
+    limit = Pick(met, Set(-kMiss), limit);  // nothing more is asked of those
+    if (All(hn::Le(limit, from))) break;    // from is -kMiss towards lights without a place
   }
-  return met();
+  return met;
 }
 
 // What is known of points p of triangles `face`. Each of these must be one of this mesh: lanes whose result is not used

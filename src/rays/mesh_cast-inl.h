@@ -132,39 +132,7 @@ class MeshCast {
     count_ -= kKept;
   }
 
-  // What MeetTriangle() asks of a ray, in its order.
-  struct Meeting {
-    V3 e1, e2, s, q;
-    V ahead;
-
-    HWY_INLINE Meeting(const V3& o, const V3& corner, const V3& edge1, const V3& edge2) : e1(edge1), e2(edge2) {
-      s = o - corner;
-      q = Cross(s, e1);
-      ahead = Dot(e2, q);
-    }
-    HWY_INLINE M at(const V3& d, M hit, V& t) const {
-      const V least = Set(-1e-6F);  // neighbours must not leave a gap
-      const V most = Set(1 + 1e-6F);
-      const V3 p = Cross(d, e2);
-      const V det = Dot(e1, p);
-      hit = hn::And(hit, hn::Gt(det, Zero()));
-      const V over = Set(1.0F) / Pick(hit, det, Set(1.0F));
-      const V u = Dot(s, p) * over;
-      const V v = Dot(d, q) * over;
-      t = ahead * over;
-      return hn::And(hn::And(hit, hn::Ge(u, least)), hn::And(hn::Ge(v, least), hn::Le(u + v, most)));
-    }
-  };
-
   HWY_INLINE V3 toward(V x, V y) const { return Set(aspect_.a) + Set(aspect_.by) * y + Set(aspect_.bx) * x; }
-
-  static HWY_INLINE V find(const float* table, VI i) {
-    if constexpr (hn::MaxLanes(D()) == kTile) {
-      return hn::TableLookupLanes(Load(table), hn::IndicesFromVec(D(), i));
-    } else {
-      return hn::GatherIndex(D(), table, i);
-    }
-  }
 
   // An edge of the outlines of triangles, from its upper end.
   struct Edge {
@@ -218,7 +186,7 @@ class MeshCast {
       for (const Edge& e : edges) e.widen(middle - Set(hair_[1]), middle + Set(hair_[1]), low, high);
       VI column = hn::Max(CutOff(low + Set(1 - hair_[0])), column0);
       const VI last = hn::Min(CutOff(high + Set(hair_[0])), column1);
-      const V y = find(tile_.y, row);
+      const V y = FindSlope(tile_.y, row);
       for (;;) {
         const auto on = hn::AndNot(hn::Gt(column, last), active);
         if (hn::AllFalse(DI(), on)) break;
@@ -236,7 +204,7 @@ class MeshCast {
     alignas(64) float depth[hn::MaxLanes(D())];
     alignas(64) std::int32_t place[hn::MaxLanes(D())];
     V t;
-    M hit = meeting.at(toward(find(tile_.x, column), y), on, t);
+    M hit = meeting.at<false>(toward(FindSlope(tile_.x, column), y), on, t);
     if (!kFromEach) hit = hn::And(hit, hn::Ge(t, Set(*from_)));
     if (None(hit)) return;
     Store(t, depth);
@@ -281,7 +249,7 @@ class MeshCast {
       for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
         const int i = row * kTile + column;
         V t;
-        M hit = meeting.at(toward(Load(tile_.x + column), Set(tile_.y[row])), hn::Eq(Zero(), Zero()), t);
+        M hit = meeting.at<false>(toward(Load(tile_.x + column), Set(tile_.y[row])), hn::Eq(Zero(), Zero()), t);
         const V old = Load(met_.best + i);
         const VI id = hn::Load(DI(), met_.id + i);
         const VI face = hn::Load(DI(), met_.face + i);
@@ -326,7 +294,11 @@ HWY_NOINLINE void CastAtMesh(const Mesh& mesh, const Aspect& aspect, int index, 
                          {tile.x[w.column1], tile.y[w.row0]},
                          hn::GetLane(hn::MaxOfLanes(D(), farthest))};
   MeshCast<kFromEach> cast(aspect, index, tile, w, from, met);
-  Sifter(mesh, aspect, pencil).each([&](int first, const Candidates& found) { cast.meet(first, found); });
+  const Sight sight = SightOf(aspect, false);
+  Sifter<false>(mesh, sight, pencil).each([&](int first, const Candidates& found) {
+    cast.meet(first, found);
+    return false;
+  });
   cast.finish();
 }
 

@@ -55,10 +55,20 @@ void add_slack(Node& node) {
 
 bool has_parts(const Node& node) { return node.child != 0 && node.count > static_cast<int>(Triangles::kBlock); }
 
-// Puts the boxes below a node into branches[index], and what is below them behind.
+// How many times a node is halved before all its parts are blocks.
+int height(const Node& node) {
+  const int blocks = (node.count + static_cast<int>(Triangles::kBlock) - 1) / static_cast<int>(Triangles::kBlock);
+  int height = 0;
+  while (1 << height < blocks) ++height;
+  return height;
+}
+
+// Puts the boxes below a node into branches[index], and what is below them behind: four levels, but those of the first
+// branch, so that most are full.
 void gather(const std::vector<Node>& nodes, std::int32_t node, std::size_t index, std::vector<Branch>& branches) {
   std::vector<std::int32_t> boxes = {node};
-  for (int level = 0; level < 4; ++level) {
+  const int levels = (height(nodes[node]) + 3) % 4 + 1;
+  for (int level = 0; level < levels; ++level) {
     std::vector<std::int32_t> next;
     for (const std::int32_t box : boxes) {
       const bool open = has_parts(nodes[box]);
@@ -79,6 +89,30 @@ void gather(const std::vector<Node>& nodes, std::int32_t node, std::size_t index
     gather(nodes, box, branches.size() - 1, branches);
   }
   branches[index] = branch;
+}
+
+Vec wide(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+
+// How the triangles of boxes are turned, a hair wider for what is rounded. Without `known`: they may be turned anyhow.
+void bound_normals(Mesh& mesh, bool known) {
+  for (Branch& branch : mesh.branches) {
+    for (int i = 0; i < branch.count; ++i) {
+      Vec least = Vec::Constant(known ? 1 : -1);
+      Vec most = -least;
+      for (int k = branch.first[i]; known && k < branch.first[i] + branch.triangles[i]; ++k) {
+        const Triangle triangle = mesh.triangles[static_cast<std::size_t>(k)];
+        const Vec across = wide(triangle.edge1).cross(wide(triangle.edge2));
+        if (!(dot(across, across) > 0)) continue;  // no ray meets it
+        const Vec n = across / std::sqrt(dot(across, across));
+        least = least.cwiseMin(n);
+        most = most.cwiseMax(n);
+      }
+      for (int k = 0; k < 3; ++k) {
+        branch.least[k][i] = static_cast<float>(least[k] - 1e-6);
+        branch.most[k][i] = static_cast<float>(most[k] + 1e-6);
+      }
+    }
+  }
 }
 
 void copy_boxes(Mesh& mesh) {
@@ -154,6 +188,7 @@ void refit(Mesh& mesh) {
     }
   }
   copy_boxes(mesh);
+  bound_normals(mesh, false);
   measure(mesh);
 }
 
@@ -192,6 +227,7 @@ Mesh MeshBuilder::finish(bool textured) {
     mesh.triangles.set(i, triangles_[order_[i]]);
     mesh.surfaces.push_back(surfaces_[order_[i]]);
   }
+  bound_normals(mesh, true);
   measure(mesh);
   return mesh;
 }

@@ -65,22 +65,23 @@ struct Node {
   std::int32_t axis = 0;              // along which the first child comes first
 };
 
-// Up to sixteen boxes of that tree, all of which are looked at together: those four levels below the box that this is
-// made of, or those on the way there that bound one block of triangles or less.
+// Up to sixteen boxes of that tree, all of which are looked at together: those up to four levels below the box that
+// this is made of, or those on the way there that bound one block of triangles or less.
 struct Branch {
   static constexpr int kBoxes = 16;
 
   alignas(64) float low[3][kBoxes]{}, high[3][kBoxes]{};
-  std::int32_t node[kBoxes]{};       // in the tree
-  std::int32_t branch[kBoxes]{};     // that continues it; 0 for none
-  std::int32_t first[kBoxes]{};      // triangle
-  std::int32_t triangles[kBoxes]{};  // how many
-  std::int32_t count = 0;            // of boxes
+  alignas(64) float least[3][kBoxes]{}, most[3][kBoxes]{};  // of the unit normals of the triangles in each
+  std::int32_t node[kBoxes]{};                              // in the tree
+  std::int32_t branch[kBoxes]{};                            // that continues it; 0 for none
+  std::int32_t first[kBoxes]{};                             // triangle
+  std::int32_t triangles[kBoxes]{};                         // how many
+  std::int32_t count = 0;                                   // of boxes
 };
 
 struct Mesh {
   static constexpr int kDepth = 48;   // of the tree, at most
-  static constexpr int kStack = 128;  // branches that wait to be looked at, at most: fifteen of each of 23 / 4 levels
+  static constexpr int kStack = 128;  // branches that wait to be looked at, at most: fifteen of each level of 24 / 4
 
   std::vector<Node> nodes;       // the root first; none if there are no triangles
   std::vector<Branch> branches;  // likewise

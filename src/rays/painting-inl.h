@@ -35,7 +35,7 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
       const V3 p = Set(aspect.o) + ray * t;
       V3 n;
       if constexpr (kKind == Form::kMesh) {
-        n = SurfaceAt(*solid.mesh, FaceAt(subject, i), p).normal();
+        n = subject.normals->at(i);
       } else {
         n = Normal<kKind>(solid, p);
       }
@@ -78,6 +78,17 @@ HWY_INLINE void PaintGrayOrNot(const Subject& subject, const Window& w, Canvas& 
 }
 
 template <Brush kBrush>
+void PaintMesh(Subject subject, const Window& w, Canvas& canvas) {
+  Normals own;
+  if (subject.normals == nullptr) {
+    FindNormals(*subject.frame, subject.eye->aspects[subject.index], subject.index,
+                {subject.tile, subject.t, subject.id, subject.face}, w, own, nullptr);
+    subject.normals = &own;
+  }
+  PaintGrayOrNot<Form::kMesh, kBrush>(subject, w, canvas);
+}
+
+template <Brush kBrush>
 void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
   switch (subject.frame->solids[subject.eye->aspects[subject.index].solid].kind) {
     case Form::kPlane:
@@ -89,7 +100,7 @@ void Paint(const Subject& subject, const Window& w, Canvas& canvas) {
     case Form::kEllipsoid: PaintGrayOrNot<Form::kEllipsoid, kBrush>(subject, w, canvas); break;
     case Form::kCylinder: PaintGrayOrNot<Form::kCylinder, kBrush>(subject, w, canvas); break;
     case Form::kBox: PaintGrayOrNot<Form::kBox, kBrush>(subject, w, canvas); break;
-    case Form::kMesh: PaintGrayOrNot<Form::kMesh, kBrush>(subject, w, canvas); break;
+    case Form::kMesh: PaintMesh<kBrush>(subject, w, canvas); break;
   }
 }
 

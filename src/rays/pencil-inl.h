@@ -24,7 +24,19 @@ HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
-// Rays from an eye whose slopes lie within these bounds, as far as something may be met.
+// Where rays come from, and three axes: slopes are right and up over ahead. Or all go ahead in parallel: then these are
+// places instead.
+struct Sight {
+  std::array<float, 3> o, right, up, ahead;
+  bool parallel;
+};
+
+inline Sight SightOf(const Aspect& aspect, bool parallel) {
+  if (parallel) return {aspect.a, aspect.bx, aspect.by, aspect.o, true};
+  return {aspect.o, aspect.bx, aspect.by, aspect.a, false};
+}
+
+// Rays whose slopes lie within these bounds, as far as something may be met.
 struct Pencil {
   float low[2], high[2];
   float farthest;
@@ -33,27 +45,37 @@ struct Pencil {
 // The sides of a pencil, in the frame of a mesh: planes that have it before them.
 class Sides {
  public:
-  Sides(const Mesh& mesh, const Aspect& aspect, const Pencil& pencil) {
+  Sides(const Mesh& mesh, const Sight& sight, const Pencil& pencil) {
     const auto put = [&](int i, float along_x, float along_y, float along_z, float from) {
       float size = std::abs(from);
       distance_[i] = from;
       for (int k = 0; k < 3; ++k) {
-        const float n = along_x * aspect.bx[k] + along_y * aspect.by[k] + along_z * aspect.a[k];
+        const float n = along_x * sight.right[k] + along_y * sight.up[k] + along_z * sight.ahead[k];
         normal_[i][k] = n;
-        distance_[i] -= n * aspect.o[k];
-        size += std::abs(n) * (std::abs(aspect.o[k]) + mesh.half[k]);
+        distance_[i] -= n * sight.o[k];
+        size += std::abs(n) * (std::abs(sight.o[k]) + mesh.half[k]);
       }
       distance_[i] += 1e-5F * size;  // for what is rounded
     };
-    put(0, 1, 0, -pencil.low[0], 0);
-    put(1, -1, 0, pencil.high[0], 0);
-    put(2, 0, 1, -pencil.low[1], 0);
-    put(3, 0, -1, pencil.high[1], 0);
-    put(4, 0, 0, 1, 0);
+    const auto bound = [&](int i, float along_x, float along_y, float at) {
+      put(i, along_x, along_y, sight.parallel ? 0 : at, sight.parallel ? at : 0);
+    };
+    bound(0, 1, 0, -pencil.low[0]);
+    bound(1, -1, 0, pencil.high[0]);
+    bound(2, 0, 1, -pencil.low[1]);
+    bound(3, 0, -1, pencil.high[1]);
+    put(4, 0, 0, 1, sight.parallel ? kMiss : 0);
     put(5, 0, 0, -1, pencil.farthest);
+    slack_ = 0;
+    for (int k = 0; k < 3; ++k) {
+      eye_[k] = sight.o[k];
+      slack_ += 0.01F * (std::abs(sight.o[k]) + mesh.half[k]);
+    }
   }
 
-  // The boxes `first` and following that rays of the pencil may meet.
+  // The boxes `first` and following that rays of the pencil may meet; unless backs count too, those in which triangles
+  // may turn to the eye.
+  template <bool kBackToo>
   HWY_INLINE M may_meet(const Branch& branch, int first) const {
     M may = hn::FirstN(D(), static_cast<std::size_t>(branch.count - first));
     for (int i = 0; i < kSides; ++i) {
@@ -64,12 +86,30 @@ class Sides {
       }
       may = hn::And(may, hn::Ge(most, Zero()));
     }
-    return may;
+    return kBackToo || None(may) ? may : hn::AndNot(turn_away(branch, first), may);
   }
 
  private:
   static constexpr int kSides = 6;
 
+  // Boxes whose triangles all turn their backs to the eye, wherever in the box they are: from the least of the product
+  // of a normal and the way to a corner. (A ten-thousandth of the way: nothing is seen edgeways.)
+  HWY_INLINE M turn_away(const Branch& branch, int first) const {
+    V along = Zero();
+    V way = Set(slack_);
+    for (int k = 0; k < 3; ++k) {
+      const V low = Load(branch.low[k] + first) - Set(eye_[k]);
+      const V high = Load(branch.high[k] + first) - Set(eye_[k]);
+      const V least = Load(branch.least[k] + first);
+      const V most = Load(branch.most[k] + first);
+      along = along + hn::Min(hn::Min(low * least, low * most), hn::Min(high * least, high * most));
+      way = way + hn::Max(hn::Abs(low), hn::Abs(high));
+    }
+    return hn::Gt(along, way * Set(1e-4F));
+  }
+
+  float eye_[3];
+  float slack_;  // for what is rounded of the way
   float normal_[kSides][3];
   float distance_[kSides];
 };
@@ -85,12 +125,16 @@ struct Candidates {
   M may;
 };
 
-// Calls meet(first, candidates) of triangles that turn to the eye and that rays of a pencil may meet: at least of all
-// that they do meet.
+// Calls meet(first, candidates) of triangles that turn to the eye (or do not, if backs count too) and that rays of a
+// pencil may meet: at least of all that they do meet. Ends when that returns true.
+template <bool kBackToo>
 class Sifter {
  public:
-  Sifter(const Mesh& mesh, const Aspect& aspect, const Pencil& pencil)
-      : mesh_(mesh), aspect_(aspect), pencil_(pencil), sides_(mesh, aspect, pencil) {}
+  Sifter(const Mesh& mesh, const Sight& sight, const Pencil& pencil)
+      : mesh_(mesh), sight_(sight), pencil_(pencil), sides_(mesh, sight, pencil) {
+    rounded_ = 0;
+    for (int k = 0; k < 3 && sight.parallel; ++k) rounded_ += 1e-6F * (std::abs(sight.o[k]) + mesh.half[k]);
+  }
 
   template <class Meet>
   HWY_INLINE void each(const Meet& meet) const {
@@ -99,10 +143,11 @@ class Sifter {
     std::int32_t stack[Mesh::kStack];
     int depth = 0;
     stack[depth++] = 0;
-    while (depth > 0) {
+    bool end = false;
+    while (depth > 0 && !end) {
       const Branch& branch = mesh_.branches[static_cast<std::size_t>(stack[--depth])];
       for (int first = 0; first < branch.count; first += lanes) {
-        const M may = sides_.may_meet(branch, first);
+        const M may = sides_.template may_meet<kBackToo>(branch, first);
         EachLane(may, [&](int lane) {
           const int i = first + lane;
           if (branch.branch[i] != 0) {
@@ -115,7 +160,7 @@ class Sifter {
         });
         EachLane(may, [&](int lane) {
           const int i = first + lane;
-          if (branch.branch[i] == 0) sift(branch.first[i], branch.triangles[i], meet);
+          if (branch.branch[i] == 0 && !end) end = sift(branch.first[i], branch.triangles[i], meet);
         });
       }
     }
@@ -127,15 +172,16 @@ class Sifter {
   }
 
   template <class Meet>
-  HWY_INLINE void sift(int first, int count, const Meet& meet) const {
+  HWY_INLINE bool sift(int first, int count, const Meet& meet) const {
     const int lanes = static_cast<int>(hn::Lanes(D()));
     const Triangles::Block& block = block_of(first);
     for (int i = 0; i < count; i += lanes) {
       Candidates found;
       for (int k = 0; k < 9; ++k) found.number[k] = Load(block.number[k] + i);
       found.may = hn::FirstN(D(), static_cast<std::size_t>(count - i));
-      if (outline(found)) meet(first + i, found);
+      if (outline(found) && meet(first + i, found)) return true;
     }
+    return false;
   }
 
   // Whether any of these may be met.
@@ -144,24 +190,26 @@ class Sifter {
     const V3 e1 = three(3);
     const V3 e2 = three(6);
     V3 q[3];
-    q[0] = three(0) - Set(aspect_.o);
+    q[0] = three(0) - Set(sight_.o);
     q[1] = q[0] + e1;
     q[2] = q[0] + e2;
     M may = found.may;
-    const V3 n = Cross(e1, e2);
-    const V edgeways = Set(1e-9F) * Dot(q[0], q[0]) * Dot(n, n);
-    const V away = Dot(q[0], n);
-    may = hn::And(may, hn::Or(hn::Le(away, Zero()), hn::Le(away * away, edgeways)));
-    if (None(may)) return false;
-    V nearest = Dot(q[0], Set(aspect_.a));
+    if (!kBackToo) {
+      const V3 n = Cross(e1, e2);
+      const V edgeways = Set(1e-9F) * Dot(q[0], q[0]) * Dot(n, n);
+      const V away = Dot(q[0], n);
+      may = hn::And(may, hn::Or(hn::Le(away, Zero()), hn::Le(away * away, edgeways)));
+      if (None(may)) return false;
+    }
+    V nearest = Dot(q[0], Set(sight_.ahead));
     V farthest = nearest;
     V low[2] = {Set(kMiss), Set(kMiss)};
     V high[2] = {Set(-kMiss), Set(-kMiss)};
     for (int corner = 0; corner < 3; ++corner) {
-      const V z = Dot(q[corner], Set(aspect_.a));
-      const V over = Set(1.0F) / hn::Max(z, Set(1e-20F));
-      const V x = Dot(q[corner], Set(aspect_.bx)) * over;
-      const V y = Dot(q[corner], Set(aspect_.by)) * over;
+      const V z = Dot(q[corner], Set(sight_.ahead));
+      const V over = sight_.parallel ? Set(1.0F) : Set(1.0F) / hn::Max(z, Set(1e-20F));
+      const V x = Dot(q[corner], Set(sight_.right)) * over;
+      const V y = Dot(q[corner], Set(sight_.up)) * over;
       found.at[corner][0] = x;
       found.at[corner][1] = y;
       nearest = hn::Min(nearest, z);
@@ -172,10 +220,15 @@ class Sifter {
       high[1] = hn::Max(high[1], y);
     }
     // What reaches behind the eye may be anywhere.
-    const M behind = hn::Le(nearest, Set(1e-3F) * hn::Abs(farthest));
-    may = hn::And(may, hn::And(hn::Gt(farthest, Zero()), hn::Le(nearest, Set(pencil_.farthest * (1 + 1e-5F)))));
+    M behind = hn::Lt(Zero(), Zero());
+    if (!sight_.parallel) {
+      behind = hn::Le(nearest, Set(1e-3F) * hn::Abs(farthest));
+      may = hn::And(may, hn::Gt(farthest, Zero()));
+    }
+    const float end = pencil_.farthest + 1e-5F * std::abs(pencil_.farthest) + rounded_;
+    may = hn::And(may, hn::Le(nearest, Set(end)));
     for (int k = 0; k < 2; ++k) {
-      const V hair = Set(kHairOfOutline) * (Set(1.0F) + hn::Max(hn::Abs(low[k]), hn::Abs(high[k])));
+      const V hair = Set(kHairOfOutline) * (Set(1.0F) + hn::Max(hn::Abs(low[k]), hn::Abs(high[k]))) + Set(rounded_);
       found.low[k] = Pick(behind, Set(-kMiss), low[k] - hair);
       found.high[k] = Pick(behind, Set(kMiss), high[k] + hair);
       may =
@@ -186,9 +239,10 @@ class Sifter {
   }
 
   const Mesh& mesh_;
-  const Aspect& aspect_;
+  const Sight& sight_;
   const Pencil& pencil_;
   const Sides sides_;
+  float rounded_;  // of places, where they are looked at instead of slopes
 };
 
 }  // namespace HWY_NAMESPACE

@@ -81,7 +81,7 @@ inline bool ColorPlane(const Frame& frame, int index, Tile& tile, std::uint32_t*
   if (!FindDepths(frame, aspect, tile) || !Covers(solid, aspect, tile)) return false;
   if (frame.mirror.solid == aspect.solid && SeesAnything(frame.mirror.eye, tile)) return false;
   Shade shades[kMaxLights];
-  const Subject subject = {&frame, &frame.camera, index, &tile, tile.t, tile.id, tile.face, shades, 1.0F};
+  const Subject subject = {&frame, &frame.camera, index, &tile, tile.t, tile.id, tile.face, shades, nullptr, 1.0F};
   Smooth own;
   const Smooth* smooth = SmoothAcross(subject, own);
   if (smooth == nullptr) return false;

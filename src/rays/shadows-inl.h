@@ -14,6 +14,7 @@
 #include "rays/intersect-inl.h"
 #include "rays/lanes-inl.h"
 #include "rays/lights.h"
+#include "rays/mesh_shadows-inl.h"
 #include "rays/tile-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,45 +52,14 @@ HWY_INLINE V LitAt(const Shade& shade, int i) {
   return Set(shade.of_all == Shadows::kNone ? 1.0F : 0.0F);
 }
 
-// How far a mesh is out of its own shadow, relative to its size.
-constexpr float kMeshMargin = 1e-3F;
-
-// Which points a solid keeps the light from, where it is in the way before so much of the way is left. `own`: those of
-// its own surface.
+// Which points a convex solid keeps the light from, where it is in the way before so much of the way is left. It does
+// not shade itself: `own` are those of its own surface.
 template <Form kKind, Rays kRaysKind>
 HWY_INLINE M IsBehind(const Solid& solid, const Aspect& aspect, V u, V v, V w, M own, float rest) {
-  const V3 a = Set(aspect.a);
-  const V3 bx = Set(aspect.bx);
-  const V3 by = Set(aspect.by);
-  const V3 o = Set(aspect.o);
-  Ray ray;
-  if (kRaysKind == Rays::kPerspective) {
-    ray.o = o;
-    ray.d = a + bx * u + by * v;
-  } else if (kRaysKind == Rays::kParallel) {
-    ray.o = a + bx * u + by * v;
-    ray.d = o;
-  } else {
-    ray.o = o;
-    ray.d = a * w + bx * u + by * v;
-  }
-  // What is convex does not shade itself; a mesh may, where what is in the way is not the very point.
-  V end = w;
-  if (kRaysKind == Rays::kAround) end = Set(1.0F);
-  if (kKind == Form::kMesh) {
-    V margin = Set(kMeshMargin * solid.size[0]);
-    if (kRaysKind == Rays::kAround) margin = margin * Rsqrt(hn::Max(Dot(ray.d, ray.d), Set(1e-20F)));
-    end = end - hn::IfThenElseZero(own, margin);
-  }
-  constexpr bool kHasPlace = kRaysKind != Rays::kParallel;
-  const V limit = kHasPlace ? end * Set(1 - rest) : end - Set(0.5F * rest) * hn::Abs(end) - Set(0.5F * rest);
-  if constexpr (kKind == Form::kMesh) {
-    return IsInTheWay(*solid.mesh, ray, Set(kHasPlace ? 1e-30F : -kMiss), limit);
-  } else {
-    const V t = Enter<kKind>(solid, ray);
-    const M dark = kHasPlace ? hn::And(hn::Gt(t, Zero()), hn::Lt(t, limit)) : hn::Lt(t, limit);
-    return hn::AndNot(own, dark);
-  }
+  const V limit = BeforeEnd<kRaysKind>(kRaysKind == Rays::kAround ? Set(1.0F) : w, rest);
+  const V t = Enter<kKind>(solid, ToLight<kRaysKind>(aspect, u, v, w));
+  const M before = hn::Lt(t, limit);
+  return hn::AndNot(own, kRaysKind == Rays::kParallel ? before : hn::And(hn::Gt(t, Zero()), before));
 }
 
 // Takes the light from what lies behind a solid in a band of the tile that begins with the ray `first`; whether
@@ -104,6 +74,7 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
     const V v = Load(shade.v + i);
     const V w = Load(shade.w + i);
     const V lit = Load(shade.lit + i);
+    if (All(hn::Eq(lit, Zero()))) continue;
     if (kRaysKind != Rays::kAround) {
       const M beside = hn::Or(hn::Or(hn::Lt(u, Set(aspect.left)), hn::Gt(u, Set(aspect.right))),
                               hn::Or(hn::Lt(v, Set(aspect.bottom)), hn::Gt(v, Set(aspect.top))));
@@ -113,7 +84,7 @@ HWY_NOINLINE bool ShadowAt(const Solid& solid, const Aspect& aspect, const Tile&
       }
     }
     const M own = hn::RebindMask(D(), hn::Eq(hn::Load(DI(), tile.id + i), self));
-    const M dark = IsBehind<kKind, kRaysKind>(solid, aspect, u, v, w, own, 2e-5F);
+    const M dark = IsBehind<kKind, kRaysKind>(solid, aspect, u, v, w, own, kRest);
     const V left = hn::IfThenZeroElse(dark, lit);
     any = hn::Max(any, left);
     Store(left, shade.lit + i);
@@ -130,7 +101,9 @@ bool Shadow(const Solid& solid, const Aspect& aspect, const Tile& tile, int firs
     case Form::kEllipsoid: return ShadowAt<Form::kEllipsoid, kRaysKind>(solid, aspect, tile, first, shade);
     case Form::kCylinder: return ShadowAt<Form::kCylinder, kRaysKind>(solid, aspect, tile, first, shade);
     case Form::kBox: return ShadowAt<Form::kBox, kRaysKind>(solid, aspect, tile, first, shade);
-    case Form::kMesh: return ShadowAt<Form::kMesh, kRaysKind>(solid, aspect, tile, first, shade);
+    case Form::kMesh:
+      ShadowOfMesh<kRaysKind>(solid, aspect, tile, first, {shade.u, shade.v, shade.w, shade.lit});
+      return !std::all_of(shade.lit + first, shade.lit + first + kBandRays, [](float lit) { return lit == 0; });
   }
   return true;
 }
@@ -192,9 +165,10 @@ bool BoundTile(const Caster& light, const Tile& tile, Reach& reach) {
   return true;
 }
 
-// A band's points in the light's frame, all of them lit, and their bounds. (Behind a spotlight nothing is lit.)
+// A band's points in the light's frame, all of them lit, and their bounds. (Behind a spotlight nothing is lit, nor what
+// turns away from a light: `behind` is its bit where there are meshes.)
 template <Rays kRaysKind>
-HWY_INLINE void PlacePoints(const Caster& light, const Tile& tile, int first, Shade& shade, Band& band) {
+HWY_INLINE void PlacePoints(const Caster& light, const Tile& tile, int first, int behind, Shade& shade, Band& band) {
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const V3 a = Set(light.a);
   const V3 bx = Set(light.bx);
@@ -207,6 +181,10 @@ HWY_INLINE void PlacePoints(const Caster& light, const Tile& tile, int first, Sh
     const V3 base = a + Set(light.by) * Set(tile.y[i / kTile]);
     V3 p = o + (base + bx * Load(tile.x + i % kTile)) * Load(tile.t + i);
     M valid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), tile.id + i), SetI(-1)));
+    if (behind != 0) {
+      const VI away = hn::And(hn::Load(DI(), tile.away + i), SetI(behind));
+      valid = hn::And(valid, hn::RebindMask(D(), hn::Eq(away, hn::Zero(DI()))));
+    }
     if (kRaysKind == Rays::kPerspective) {
       valid = hn::And(valid, hn::Gt(p.z, Zero()));
       const V over = Set(1.0F) / p.z;
@@ -246,8 +224,8 @@ inline bool Unite(const Band (&bands)[kBands], Reach& reach) {
 }
 
 template <Rays kRaysKind>
-void CastShadows(const Solids& solids, const Caster& light, const Tile& tile, Shade& shade) {
-  for (int k = 0; k < kBands; ++k) PlacePoints<kRaysKind>(light, tile, k * kBandRays, shade, shade.bands[k]);
+void CastShadows(const Solids& solids, const Caster& light, int behind, const Tile& tile, Shade& shade) {
+  for (int k = 0; k < kBands; ++k) PlacePoints<kRaysKind>(light, tile, k * kBandRays, behind, shade, shade.bands[k]);
   Reach reach;
   bool lit = Unite(shade.bands, reach);
   const Aspect* const end = light.aspects.data() + light.count;
@@ -359,11 +337,13 @@ inline bool AnyInPart(const Lights& lights, const Shade* shades) {
 void CastShadows(const Frame& frame, const Tile& tile, Shade* shades) {
   for (int k = 0; k < frame.lights.caster_count(); ++k) {
     if (shades[k].of_all != Shadows::kSome) continue;
+    const Solids& solids = frame.solids;
     const Caster& caster = frame.lights.caster(k);
+    const int behind = solids.meshes() ? 1 << k : 0;
     switch (caster.rays) {
-      case Rays::kPerspective: CastShadows<Rays::kPerspective>(frame.solids, caster, tile, shades[k]); break;
-      case Rays::kParallel: CastShadows<Rays::kParallel>(frame.solids, caster, tile, shades[k]); break;
-      case Rays::kAround: CastShadows<Rays::kAround>(frame.solids, caster, tile, shades[k]); break;
+      case Rays::kPerspective: CastShadows<Rays::kPerspective>(solids, caster, behind, tile, shades[k]); break;
+      case Rays::kParallel: CastShadows<Rays::kParallel>(solids, caster, behind, tile, shades[k]); break;
+      case Rays::kAround: CastShadows<Rays::kAround>(solids, caster, behind, tile, shades[k]); break;
     }
   }
 }

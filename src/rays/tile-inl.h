@@ -82,7 +82,9 @@ void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, con
 inline void StartTile(const Solids& solids, Tile& tile) {
   std::fill_n(tile.t, kRays, kMiss);
   std::fill_n(tile.id, kRays, -1);
-  if (solids.meshes()) std::fill_n(tile.face, kRays, 0);
+  if (!solids.meshes()) return;
+  std::fill_n(tile.face, kRays, 0);
+  std::fill_n(tile.away, kRays, 0);
 }
 
 // Where the rays of a tile meet the solid that one of the camera's aspects shows.

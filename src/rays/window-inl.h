@@ -24,11 +24,12 @@ struct Tile {
   Strip* strip;                // the tiles side by side that it is one of
   int place;                   // of its first column in that
   alignas(64) float x[kTile];  // slopes
-  float y[kTile];
+  alignas(64) float y[kTile];
   float dx, dy;
   alignas(64) float t[kRays];            // depth of the nearest solid, kMiss for none
   alignas(64) std::int32_t id[kRays];    // its aspect, -1 for none
   alignas(64) std::int32_t face[kRays];  // its triangle, if it is a mesh
+  alignas(64) std::int32_t away[kRays];  // if it is a mesh, the lights that are behind it there, a bit each
   float nearest, farthest;               // depths of what the tile shows; nearest > farthest if that is nothing
 };
 
@@ -36,6 +37,15 @@ struct Tile {
 struct Window {
   int row0, row1, column0, column1;
 };
+
+// Slopes of rays of a tile, of which each has its own column or row.
+HWY_INLINE V FindSlope(const float* slopes, VI i) {
+  if constexpr (hn::MaxLanes(D()) == kTile) {
+    return hn::TableLookupLanes(Load(slopes), hn::IndicesFromVec(D(), i));
+  } else {
+    return hn::GatherIndex(D(), slopes, i);
+  }
+}
 
 constexpr Window kNothing = {0, -1, 0, -1};
 

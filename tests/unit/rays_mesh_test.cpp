@@ -179,6 +179,101 @@ TEST(RayMesh, EveryInstructionSet) {
   }
 }
 
+// A board of 1 x 0.8 x 0.02 m, as 20,160 triangles.
+std::string board_mesh() {
+  constexpr int kSide = 70;
+  std::string vertices;
+  std::string normals;
+  std::string faces;
+  int count = 0;
+  // A side of the box that is looked at from outside along `out`: u x v = out.
+  const auto side = [&](const Eigen::Vector3d& out, const Eigen::Vector3d& u, const Eigen::Vector3d& v, int rows) {
+    for (int i = 0; i <= kSide; ++i) {
+      for (int k = 0; k <= rows; ++k) {
+        const Eigen::Vector3d at = out + (2.0 * i / kSide - 1) * u + (2.0 * k / rows - 1) * v;
+        vertices += format("{} {} {} ", at[0], at[1], at[2]);
+        const Eigen::Vector3d n = out.normalized();
+        normals += format("{} {} {} ", n[0], n[1], n[2]);
+        if (i == kSide || k == rows) continue;
+        const int here = count + i * (rows + 1) + k;
+        faces += format("{} {} {} {} {} {} ", here, here + rows + 1, here + rows + 2, here, here + rows + 2, here + 1);
+      }
+    }
+    count += (kSide + 1) * (rows + 1);
+  };
+  const Eigen::Vector3d x = {0.5, 0, 0};
+  const Eigen::Vector3d y = {0, 0.4, 0};
+  const Eigen::Vector3d z = {0, 0, 0.01};
+  side(z, x, y, kSide);
+  side(-z, y, x, kSide);
+  side(y, z, x, 1);
+  side(-y, x, z, 1);
+  side(x, y, z, 1);
+  side(-x, z, y, 1);
+  return "<mesh name='board' vertex='" + vertices + "' normal='" + normals + "' face='" + faces + "'/>";
+}
+
+struct Lamp {
+  const char* name;
+  const char* light;
+};
+
+class Boards : public ::testing::TestWithParam<Lamp> {};
+
+// A box is met in closed form, with neither tree nor triangles.
+TEST_P(Boards, OfManyTrianglesLookLikeABox) {
+  const auto room = [](const char* board) {
+    return std::string(GetParam().light) +
+           "<geom type='plane' size='3 3 .1' pos='0 0 -.4' material='mat' rgba='.8 .7 .6 1'/>"
+           "<geom type='sphere' size='.1' pos='.1 .1 .25' material='mat' rgba='.2 .9 .3 1'/>"
+           "<geom pos='0 0 .05' euler='8 -5 20' material='mat' rgba='.8 .4 .3 1' " +
+           board + "/>";
+  };
+  const std::string headlight = "<headlight ambient='.2 .2 .2' diffuse='.2 .2 .2' specular='0 0 0'/>";
+  Studio boxes(world(room("type='box' size='.5 .4 .01'"), "", headlight));
+  const engine::ModelPtr model =
+      engine::compile(world(room("type='mesh' mesh='board'"), board_mesh(), headlight), {}, {});
+  for (const std::string& path : rays::simd_paths()) {
+    rays::Options options;
+    options.simd = path;
+    Studio meshes(model, options);
+    for (const auto& [azimuth, elevation, size] : {std::array<int, 3>{20, -35, 256}, {200, -60, 130}, {110, 30, 90}}) {
+      const render::View view = render::orbit_view({0, 0, 0}, 1.7, azimuth, elevation, 45);
+      const Shot expected = boxes.shoot(view, size, size);
+      const Shot shot = meshes.shoot(view, size, size);
+      int ids = 0;
+      int colors = 0;
+      double depth = 0;
+      for (std::size_t i = 0; i < shot.ids.size(); ++i) {
+        if (shot.ids[i] != expected.ids[i]) {
+          ++ids;
+          continue;
+        }
+        depth = std::max(depth, static_cast<double>(std::abs(shot.depth[i] - expected.depth[i])));
+        int difference = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          difference = std::max(difference, std::abs(shot.rgb[3 * i + k] - expected.rgb[3 * i + k]));
+        }
+        colors += difference > 1;
+      }
+      // Pixels on edges of the board and of shadows.
+      const int pixels = size * size;
+      EXPECT_LE(ids, pixels / 1000) << path << ", from " << azimuth;
+      EXPECT_LE(colors, pixels / 500) << path << ", from " << azimuth;
+      EXPECT_LT(depth, 1e-4) << path << ", from " << azimuth;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    RayMesh, Boards,
+    ::testing::Values(Lamp{"Spot",
+                           "<light pos='.4 -.3 1.6' dir='-.2 .2 -1' cutoff='40' exponent='0' specular='0 0 0'/>"},
+                      Lamp{"Around", "<light pos='.3 .2 1.1' dir='0 0 -1' cutoff='180' specular='0 0 0'/>"},
+                      Lamp{"Near", "<light pos='.1 -.1 .16' dir='0 0 -1' cutoff='180' specular='0 0 0'/>"},
+                      Lamp{"Sun", "<light directional='true' pos='0 0 3' dir='-.4 .3 -1' specular='0 0 0'/>"}),
+    [](const auto& given) { return given.param.name; });
+
 // A floor with edges far away looks like one without; what is seen past an edge lies in the shadow of a plane.
 TEST(RayMesh, PlanesWithEdges) {
   const auto room = [](const char* size, const char* material) {
