@@ -15,7 +15,8 @@ from targets import bindings_page  # noqa: E402
 
 FUNCTION = "MIMO_API mimo_status mimo_env_update(mimo_env *env) MIMO_NOEXCEPT;"
 STRUCT = (
-    "/** An example. */\ntypedef struct mimo_example {{\n{}\n}} mimo_example;\n\n/** Simulated seconds since the last reset. */"
+    "/** An example. */\ntypedef struct mimo_example {{\n{}\n}} mimo_example;\n\n"
+    "/** Simulated seconds since the last reset. */"
 )
 TIME = "/** Simulated seconds since the last reset. */"
 
