@@ -39,12 +39,14 @@ inline mimo_stage_view stage_view() {
 }
 
 /// Things that plain arrays describe, drawn without a simulation:
+/// @code
 ///   auto geoms = mimo::stage_struct<mimo_stage_shapes>();
 ///   geoms.count = 1; geoms.forms = forms; geoms.sizes = sizes; geoms.colors = colors;
 ///   auto config = mimo::stage_struct<mimo_stage_config>();
 ///   config.geoms = &geoms;
 ///   mimo::Stage stage(config);
 ///   stage.draw(poses, view);
+/// @endcode
 class Stage : public Handle<mimo_stage, detail::destroy_stage> {
  public:
   explicit Stage(const mimo_stage_config &config) : Handle(make(config)) {}

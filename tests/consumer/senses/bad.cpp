@@ -1,10 +1,9 @@
 // Shared libraries that are no senses, each by one definition.
 #include <mimo/mimo.hpp>
-
 #include <stdexcept>
 
 #ifndef NO_ENTRY
-extern "C" MIMO_PLUGIN mimo_status mimo_sense_entry(mimo_sense *sense) {
+extern "C" MIMO_PLUGIN mimo_status mimo_sense_entry(mimo_sense* sense) {
 #ifdef THROWS
   throw std::runtime_error("no nose here");
 #endif
@@ -16,7 +15,7 @@ extern "C" MIMO_PLUGIN mimo_status mimo_sense_entry(mimo_sense *sense) {
 #ifdef OTHER_VERSION
   sense->interface_version = 7;
 #endif
-  sense->open = [](void *, const mimo_env *, const mimo_sense_moment *, mimo_sense_needs *) -> mimo_status {
+  sense->open = [](void*, const mimo_env*, const mimo_sense_moment*, mimo_sense_needs*) -> mimo_status {
     return MIMO_OK;
   };
   return MIMO_OK;

@@ -1,8 +1,8 @@
 // Each library that is no sense is named, with what is wrong with it; the scene stays as it was.
 #include "check.hpp"
 
-int main(int argc, char **argv) {
-  const char *const words[] = {"exports no mimo_sense_entry", "interface_version is 7, but this library knows 1",
+int main(int argc, char** argv) {
+  const char* const words[] = {"exports no mimo_sense_entry", "interface_version is 7, but this library knows 1",
                                "returned -5 (MIMO_E_NOT_FOUND): no file of odours",
 #ifdef _WIN32
                                "",
@@ -20,7 +20,7 @@ int main(int argc, char **argv) {
     try {
       scene.load_sense(argv[i + 1]);
       check(false, std::string(argv[i + 1]) + " was not refused");
-    } catch (const mimo::Exception &error) {
+    } catch (const mimo::Exception& error) {
       const std::string message = error.what();
       check(message.find(words[i]) != std::string::npos && message.find(argv[i + 1]) != std::string::npos, message);
     }

@@ -5,7 +5,7 @@
 #include "check.hpp"
 
 // A forearm that stays, and a brush that is drawn over it and pressed on it by its weight.
-static std::string forearm(const char *name) {
+static std::string forearm(const char* name) {
   return std::string(R"(<mujoco><option gravity="0 0 -9.81" timestep="0.002"/><worldbody><body name=")") + name +
          R"("><geom type="box" size="0.6 0.03 0.03"/></body>
 <body name="brush" pos="-0.5 0 0.0495"><joint name="along" type="slide" axis="1 0 0"/>
@@ -20,7 +20,7 @@ struct Stroke {
 };
 
 // The highest rate of the last tenth of a second, Hz.
-static double rate_of(const char *library, const Stroke &stroke, bool tires) {
+static double rate_of(const char* library, const Stroke& stroke, bool tires) {
   const std::string xml = forearm("left_lower_arm");
   mimo::Scene scene = scene_around(xml.c_str(), "left_lower_arm");
   scene.set_touch(0.01);
@@ -47,16 +47,17 @@ static double rate_of(const char *library, const Stroke &stroke, bool tires) {
   return most;
 }
 
-static void check_speeds(const char *library) {
+static void check_speeds(const char* library) {
   std::vector<double> rates;
   for (const double speed : {0.003, 0.01, 0.03, 0.1, 0.3}) rates.push_back(rate_of(library, {speed, 32, 1}, false));
-  std::printf("0.3, 1, 3, 10, 30 cm/s: %.1f %.1f %.1f %.1f %.1f Hz\n", rates[0], rates[1], rates[2], rates[3], rates[4]);
+  std::printf("0.3, 1, 3, 10, 30 cm/s: %.1f %.1f %.1f %.1f %.1f Hz\n", rates[0], rates[1], rates[2], rates[3],
+              rates[4]);
   for (const int top : {1, 2, 3}) check(rates[top] > rates[0] && rates[top] > rates[4], "1 to 10 cm/s fire more");
   check(rates[2] > rates[1] && rates[2] > rates[3], "3 cm/s fires most");
   check(rates[0] < rates[2] / 2 && rates[4] < rates[2] / 2, "the ends fire less than half as much");
 }
 
-static void check_temperatures(const char *library) {
+static void check_temperatures(const char* library) {
   const double cool = rate_of(library, {0.01, 18, 3}, false), neutral = rate_of(library, {0.01, 32, 3}, false),
                warm = rate_of(library, {0.01, 42, 3}, false);
   std::printf("18, 32, 42 degrees: %.1f %.1f %.1f Hz\n", cool, neutral, warm);
@@ -64,7 +65,7 @@ static void check_temperatures(const char *library) {
 }
 
 // The brush goes to and fro over the same skin.
-static void check_fatigue(const char *library) {
+static void check_fatigue(const char* library) {
   const double rested = rate_of(library, {0.03, 32, 0.5}, true);
   const std::string xml = forearm("left_lower_arm");
   mimo::Scene scene = scene_around(xml.c_str(), "left_lower_arm");
@@ -89,7 +90,7 @@ static void check_fatigue(const char *library) {
   check(most < 0.7 * rested, "strokes of the same skin tire it");
 }
 
-static void check_glabrous(const char *library) {
+static void check_glabrous(const char* library) {
   const std::string xml = forearm("left_hand");
   mimo::Scene scene = scene_around(xml.c_str(), "left_hand");
   scene.set_touch(0.01);
@@ -97,13 +98,13 @@ static void check_glabrous(const char *library) {
   try {
     const mimo::Env world(scene);
     check(false, "glabrous skin was not refused");
-  } catch (const mimo::Exception &error) {
+  } catch (const mimo::Exception& error) {
     check(std::string(error.what()).find("no hairy skin") != std::string::npos, error.what());
   }
 }
 
 // Unmyelinated: 0.9 m/s along the nerve, where the infant's delays are by its age; slower than large fibres.
-static void check_delay(const char *library) {
+static void check_delay(const char* library) {
   mimo_scene_config room = mimo::scene_config();
   room.name = "free";
   mimo::Scene scene(room);
@@ -127,7 +128,7 @@ static void check_delay(const char *library) {
   }
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   if (argc != 2) return 2;
   check_speeds(argv[1]);
   check_temperatures(argv[1]);

@@ -1,13 +1,14 @@
-// Events of a known step in brightness: as many as thresholds of log intensity fit into it, worked out from the pictures.
+// Events of a known step in brightness: as many as thresholds of log intensity fit into it, worked out from the
+// pictures.
 #include <algorithm>
 #include <vector>
 
 #include "check.hpp"
 
-static double luma(const std::uint8_t *rgb) { return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]; }
+static double luma(const std::uint8_t* rgb) { return 0.299 * rgb[0] + 0.587 * rgb[1] + 0.114 * rgb[2]; }
 
 // Rises, falls and what did not fit, of a step to another colour of the ball before the eyes.
-static void check_step(const char *library, double threshold, double refractory) {
+static void check_step(const char* library, double threshold, double refractory) {
   mimo_scene_config room = mimo::scene_config();
   room.name = "free";
   mimo::Scene scene(room);
@@ -54,7 +55,7 @@ static void check_step(const char *library, double threshold, double refractory)
   check(*std::max_element(events.begin(), events.end()) == 0, "after the step all is still");
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   if (argc != 2) return 2;
   check_step(argv[1], 0.2, 0);
   check_step(argv[1], 0.5, 0);

@@ -2,7 +2,7 @@
 #include "check.hpp"
 
 // Five sensors in a row on an arm that turns about a vertical axis without friction, 0 to 0.8 m from it.
-static const char *const kArm = R"(<mujoco><option gravity="0 0 -9.81" timestep="0.005"/>
+static const char* const kArm = R"(<mujoco><option gravity="0 0 -9.81" timestep="0.005"/>
 <worldbody><body name="arm"><joint name="axis" type="hinge" axis="0 0 1"/><geom size="0.1" mass="1"/>
 <body name="head"><geom size="0.01"/></body>
 <body name="left_hand" pos="0.2 0 0"><geom size="0.01"/></body>
@@ -13,7 +13,7 @@ static const char *const kArm = R"(<mujoco><option gravity="0 0 -9.81" timestep=
 enum Place { kLeftFoot, kRightFoot, kLeftHand, kRightHand, kHead, kPlaces };
 static const double kRadius[kPlaces] = {0.5, 0.8, 0.2, 0.4, 0};
 
-static mimo::Scene arm(const char *library, double noise, double bias) {
+static mimo::Scene arm(const char* library, double noise, double bias) {
   mimo::Scene scene = scene_around(kArm, "arm");
   scene.load_sense(library);
   scene.set_parameter("imu/noise", noise);
@@ -21,11 +21,11 @@ static mimo::Scene arm(const char *library, double noise, double bias) {
   return scene;
 }
 
-static void turn(mimo::Env &world, double speed) {
+static void turn(mimo::Env& world, double speed) {
   world.set_values(MIMO_JOINT_VELOCITY, {world.find(MIMO_JOINT, "axis")}, {speed});
 }
 
-static void check_kinematics(const char *library) {
+static void check_kinematics(const char* library) {
   const mimo::Scene scene = arm(library, 0, 0);
   mimo::Env world(scene);
   mimo::Block block = world.make_block();
@@ -46,7 +46,7 @@ static void check_kinematics(const char *library) {
 }
 
 // Of n numbers the standard deviation is known to 1 / sqrt(2 n): 5 such errors are 5 % of 5000.
-static void check_noise(const char *library) {
+static void check_noise(const char* library) {
   const mimo::Scene scene = arm(library, 1, 0);
   mimo::Env world(scene);
   mimo::Block block = world.make_block();
@@ -68,7 +68,7 @@ static void check_noise(const char *library) {
 }
 
 // An offset stays the same in an episode, differs between episodes, and is that of the seed.
-static void check_bias(const char *library) {
+static void check_bias(const char* library) {
   const mimo::Scene scene = arm(library, 0, 1);
   mimo::Env world(scene);
   mimo::Block block = world.make_block();
@@ -88,7 +88,7 @@ static void check_bias(const char *library) {
 }
 
 // 50 samples a second: one for each second step of 10 ms, and four in a step of 80 ms.
-static void check_rate(const char *library) {
+static void check_rate(const char* library) {
   mimo::Scene scene = arm(library, 1, 0);
   scene.set_parameter("imu/rate", 50);
   mimo_env_config config = mimo::env_config();
@@ -108,7 +108,7 @@ static void check_rate(const char *library) {
   check(slow.layout().field("imu/acceleration").shape[1] == 4, "four samples in a step of 80 ms");
 }
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   if (argc != 2) return 2;
   check_kinematics(argv[1]);
   check_noise(argv[1]);

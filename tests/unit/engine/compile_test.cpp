@@ -170,7 +170,7 @@ TEST(Textures, OfTheSamePicturesAreShared) {
   EXPECT_EQ(slim->ntexdata, 3 * 16 * 17);
   EXPECT_EQ(engine::fingerprint(*slim), engine::fingerprint(*model));
   EXPECT_EQ(slim->geom_size[0], 2);
-  EXPECT_EQ(compat::color_texture(*slim, 0), 0);
+  EXPECT_EQ(compat::color_textures(*slim)[0], 0);
   EXPECT_STREQ(mj_id2name(slim.get(), mjOBJ_MATERIAL, 0), "m");
 }
 

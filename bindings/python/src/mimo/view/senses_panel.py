@@ -8,7 +8,7 @@ from typing import Any, Dict, List, Tuple
 import numpy as np
 
 from ..drawing import prefixes
-from ..layout import SENSES
+from ..option_types import SENSES
 from ..world import World
 
 EYES = ("left", "right")
