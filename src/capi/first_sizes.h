@@ -7,7 +7,7 @@ MIMO_FIRST_SIZE(mimo_model_config, 88);
 MIMO_FIRST_SIZE(mimo_camera_config, 96);
 MIMO_FIRST_SIZE(mimo_field_config, 40);
 MIMO_FIRST_SIZE(mimo_growth, 112);
-MIMO_FIRST_SIZE(mimo_agent_config, 208);
+MIMO_FIRST_SIZE(mimo_agent_config, 216);
 MIMO_FIRST_SIZE(mimo_limits, 48);
 MIMO_FIRST_SIZE(mimo_layout_info, 56);
 MIMO_FIRST_SIZE(mimo_field, 120);

@@ -134,6 +134,9 @@ typedef struct mimo_agent_config {
                                     0 (silent) to 1 (a cry); "voice:pitch", -0.5 to 0.5 octaves; "voice:opening" and
                                     "voice:front", 0.7 to 1.3 times the first and second formant of its age. Every agent
                                     with hearing hears it, see docs/guide/hearing.md. 0 (default): no voice. */
+  double strength;             /**< Factor of what an infant's motors and muscles can do, 0.01 to 100, at any age on top
+                                    of its growth's; 0 (default): 1. It is in MIMO_ACTUATOR_GEAR of worlds, not in the
+                                    MJCF of scenes. Not with MIMO_ACTUATION_POSITION, which uses no motors. */
 } mimo_agent_config;
 
 /**

@@ -12,7 +12,9 @@
  *     movement.h     movements that are known, from video or motion capture
  *     looks.h        materials, textures and lights for engines that draw the world themselves
  *     engine.h       options of solver and renderer, warnings of the physics, timing
+ *     stage.h        pictures of what plain arrays describe, without a simulation
  *     recording.h    runs recorded to files and replayed
+ *     sense.h        senses of your own
  */
 #ifndef MIMO_EXPERIMENTAL_H
 #define MIMO_EXPERIMENTAL_H
@@ -29,7 +31,9 @@
 #include "experimental/movement.h"
 #include "experimental/looks.h"
 #include "experimental/engine.h"
+#include "experimental/stage.h"
 #include "experimental/recording.h"
+#include "experimental/sense.h"
 /* clang-format on */
 
 #endif

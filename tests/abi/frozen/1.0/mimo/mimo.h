@@ -26,10 +26,10 @@
  *     Errors    Functions that can fail return a mimo_status: 0 is success, negative is failure, and
  *               mimo_last_error() then holds one line that names the argument, its value and what was
  *               expected. When an argument is refused, nothing is written anywhere.
- *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder, mimo_recording are opaque, and so is
- *               mimo_layout, which belongs to one of them. Destroy functions accept NULL. Every function refuses a
- *               destroyed handle (MIMO_E_BAD_HANDLE); destroying it again does nothing. In a child process, a
- *               handle made before fork() returns MIMO_E_FORKED.
+ *     Handles   mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_recorder, mimo_recording and mimo_stage are
+ *               opaque, and so is mimo_layout, which belongs to one of them. Destroy functions accept NULL. Every
+ *               function refuses a destroyed handle (MIMO_E_BAD_HANDLE); destroying it again does nothing. In a
+ *               child process, a handle made before fork() returns MIMO_E_FORKED.
  *     Threads   Several threads may call functions that take a const handle on one handle at the same time. A
  *               function that takes a handle without const needs exclusive use of it and returns MIMO_E_BUSY
  *               while another thread uses it. Different handles are independent. Any thread may call. A thread

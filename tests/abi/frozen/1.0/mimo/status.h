@@ -93,7 +93,8 @@ MIMO_API const char *mimo_last_error(void) MIMO_NOEXCEPT;
  * threads (Go, Node), where mimo_last_error may belong to another call. Functions that make a handle out of a scene
  * (mimo_env_create) keep their message with the scene. mimo_scene_create and mimo_env_make have no handle: call them
  * and mimo_last_error on one thread.
- * @param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_layout, mimo_recorder or mimo_recording.
+ * @param handle   a mimo_scene, mimo_env, mimo_batch, mimo_senses, mimo_layout, mimo_recorder, mimo_recording or
+ *                 mimo_stage.
  * @param text     receives the message, zero-terminated, "" if no call has failed yet; NULL with capacity 0 asks only
  *                 for its length.
  * @param capacity 1024 bytes are enough for any message.

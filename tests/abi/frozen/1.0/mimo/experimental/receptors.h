@@ -34,6 +34,7 @@ extern "C" {
 #define MIMO_TOUCH_NOCICEPTION_FAST 0x800u  /**< touch/nociception_fast: pricks and heat, at once. */
 #define MIMO_TOUCH_NOCICEPTION_SLOW 0x1000u /**< touch/nociception_slow: pricks, heat and cold, late and lasting. */
 #define MIMO_TOUCH_UNITS 0x2000u            /**< touch/units, N x 4: number of SA1, RA, PC, SA2 units per sensor. */
+#define MIMO_TOUCH_CT 0x4000u               /**< touch/ct: how hairy skin is stroked, at most 100. */
 
 /**
  * Body: 1, m, how long nerves are from the middle of this part of an infant to its head, through the joints on their
