@@ -98,8 +98,10 @@ function(mimo_program target room output)
     list(APPEND rpath $ORIGIN)
   endif()
   list(REMOVE_DUPLICATES rpath)
-  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${output} BUILD_WITH_INSTALL_RPATH ON
-                                             INSTALL_RPATH "${rpath}")
+  # Windows' linker writes an import library of a program that exports functions, as those of FMI. Under the program's
+  # name, it would replace libmimo's.
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME ${output} ARCHIVE_OUTPUT_NAME ${target}
+                                             BUILD_WITH_INSTALL_RPATH ON INSTALL_RPATH "${rpath}")
   if(APPLE)
     target_link_options(${target} PRIVATE -Wl,-rpath,@loader_path/../lib -Wl,-rpath,@loader_path)
   endif()
