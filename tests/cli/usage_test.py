@@ -10,7 +10,7 @@ from program import PROGRAM, SOURCES, Case
 class Usage(Case):
     def test_help(self):
         self.assertIn("rollout", self.mimo("--help"))
-        for command in ("run", "info", "render", "rollout", "export", "record", "replay"):
+        for command in ("run", "info", "render", "rollout", "export", "record", "replay", "new"):
             text = self.mimo(command, "--help")
             self.assertIn("Example", text)
             self.assertIn("mimo " + command, text)
