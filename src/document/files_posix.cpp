@@ -30,7 +30,7 @@ const char* kind_of(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";
   if (S_ISFIFO(mode)) return "a pipe";
   if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
-  return "no plain file";
+  return "not a plain file";
 }
 
 }  // namespace

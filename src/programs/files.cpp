@@ -61,7 +61,7 @@ void require_writable(const std::string& path) {
   if (fs::is_directory(file)) throw Failure("cannot write " + path + ": it is a folder");
   if (fs::is_fifo(file) && !is_open_pipe(file)) throw Failure("cannot write " + path + ": it is a named pipe");
   if (fs::exists(file) && !fs::is_regular_file(file) && !is_stream(file)) {
-    throw Failure("cannot write " + path + ": it is no plain file");
+    throw Failure("cannot write " + path + ": it is not a plain file");
   }
 }
 
@@ -105,7 +105,7 @@ std::ifstream open_to_read(const std::string& path) {
   if (fs::is_directory(status)) throw Failure("cannot read " + path + ": it is a folder");
   if (fs::is_fifo(status) && !is_open_pipe(path)) throw Failure("cannot read " + path + ": it is a named pipe");
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_fifo(status)) {
-    throw Failure("cannot read " + path + ": it is no plain file");
+    throw Failure("cannot read " + path + ": it is not a plain file");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw Failure("cannot read " + path + ": " + std::strerror(errno));

@@ -24,7 +24,7 @@ Place::Place(const std::string& path, bool replace) : given_(path), name_(fs::ab
   const fs::file_status there = fs::status(fs::u8path(name_), unknown);
   if (fs::exists(there)) {
     if (!fs::is_regular_file(there)) {
-      fail(Status::kFile, "cannot write {}: it is {}", path, fs::is_directory(there) ? "a folder" : "no plain file");
+      fail(Status::kFile, "cannot write {}: it is {}", path, fs::is_directory(there) ? "a folder" : "not a plain file");
     }
     name_ = fs::canonical(fs::u8path(name_)).u8string();  // what a link leads to
     require_replaceable(replace);

@@ -9,6 +9,7 @@ scene.name = "free"
 local room = mimo.scene_create(scene)
 mimo.scene_add_agent(room, nil, nil)
 local env = mimo.env_make("reach")
+local stage = mimo.stage_create(mimo.new("mimo_stage_config"))
 local agent = mimo.new("mimo_agent_config")
 agent.name = "another"
 
@@ -45,6 +46,21 @@ local readers = {
   mimo_scene_config = function(config)
     config.name = "free"
     mimo.scene_create(config)
+  end,
+  mimo_sense = function(sense)
+    sense.interface_version, sense.name = mimo.MIMO_SENSE_INTERFACE, "own"
+    mimo.scene_add_sense(room, 0, sense)
+  end,
+  mimo_stage_air = function(air)
+    local config = mimo.new("mimo_stage_config")
+    config.air = air
+    mimo.stage_create(config)
+  end,
+  mimo_stage_view = function(view)
+    view.position, view.rotation = ffi.new("double[3]"), ffi.new("double[9]", {1, 0, 0, 0, 1, 0, 0, 0, 1})
+    local poses = mimo.new("mimo_stage_poses")
+    mimo.stage_draw(stage, ffi.new("const mimo_stage_poses *[1]", {poses}), 1,
+                    ffi.new("const mimo_stage_view *[1]", {view}), 1)
   end,
   mimo_senses_config = false, -- needs a model and data of MuJoCo
 }

@@ -159,8 +159,8 @@ static void check_refused(mimo_status status, const char* part, mimo_agent_confi
 
 static void check_bad_values(void) {
   mimo_agent_config config = feeling_agent();
-  config.touch = 0x4000;
-  check_refused(MIMO_E_UNSUPPORTED, "touch is 0x4000", config);
+  config.touch = 0x8000;
+  check_refused(MIMO_E_UNSUPPORTED, "touch is 0x8000", config);
   config.touch = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;
   check_refused(MIMO_E_INVALID_ARGUMENT, "exclude each other", config);
   config = feeling_agent();

@@ -179,7 +179,7 @@ static void check_lacks(void) {
   config.vestibular = MIMO_VESTIBULAR_ACCELERATION | MIMO_VESTIBULAR_ANGULAR_VELOCITY;
   scene = scene_of(&config);
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT,
-              "vestibular_at has to name a site or body that carries the organ, or vestibular = 0",
+              "set vestibular_at to the site or body that carries the organ, or vestibular to 0",
               attach(scene, h, &senses));
   mimo_scene_destroy(scene);
   config.vestibular_at = "nose";

@@ -113,7 +113,7 @@ ROW(mimo_env_state_save, ON_ENV | SIMULATES, mimo_env_state_save(a->env, a->stat
     NO_NULL(state_out, "state"), SHORT(state_bytes, "state"))
 ROW(mimo_env_state_load, ON_ENV | HEALS, mimo_env_state_load(a->env, a->state, a->state_bytes, a->report),
     NO_NULL(state, "state"), LOAD_REPORT, WHOLE_STATE(state_bytes), SIZE_IS(state_bytes, 47, MIMO_E_FILE, "state"),
-    DO(no_state, MIMO_E_FILE, "no state"), DO(damaged_state, MIMO_E_FILE, "damaged"),
+    DO(no_state, MIMO_E_FILE, "not a state"), DO(damaged_state, MIMO_E_FILE, "damaged"),
     DO(foreign_state, MIMO_E_MISMATCH, "another"))
 ROW(mimo_env_clone, ON_ENV | SIMULATES, mimo_env_clone(a->env, a->made_env), NO_NULL(made_env, "clone"))
 ROW(mimo_env_random, ON_ENV, mimo_env_random(a->env, a->numbers, a->number_count), NO_NULL(numbers, "values"),

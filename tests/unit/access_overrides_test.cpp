@@ -283,7 +283,8 @@ TEST(Overrides, Refusals) {
   refuse(Status::kInvalidArgument, "friction of geom of 1 is -0.5", MIMO_GEOM_FRICTION, 1, {1, 1, -0.5});
   refuse(Status::kInvalidArgument, "direction of light 0 is zero", MIMO_LIGHT_DIRECTION, 0, {0, 0, 0});
   refuse(Status::kInvalidArgument, "expected 0 to 100", MIMO_LIGHT_COLOR, 0, {0, 0, 101});
-  refuse(Status::kUnsupported, "light 1 (\"lamp\") follows a body", MIMO_LIGHT_POSITION, 1, {0, 0, 1});
+  refuse(Status::kUnsupported, "light 1 (\"lamp\") cannot be moved or turned: it follows a body", MIMO_LIGHT_POSITION,
+         1, {0, 0, 1});
   refuse(Status::kInvalidArgument, "expected 0 to 0", MIMO_WARNING_STEPS, 0, {1});
   EXPECT_EQ(get(world, MIMO_GEOM_COLOR), before);
 }

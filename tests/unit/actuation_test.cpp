@@ -68,7 +68,7 @@ TEST(Groups, EveryMotorBelongsToOne) {
                                             {scene::kLeftHand, 4},  {scene::kRightLeg, 4}, {scene::kLeftLeg, 4},
                                             {scene::kRightFoot, 4}, {scene::kLeftFoot, 4}};
   EXPECT_EQ(motors, expected);
-  expect_error(Status::kModel, "\"tail\" is no part", [] { scene::groups_from("head tail"); });
+  expect_error(Status::kModel, "\"tail\" is not a part", [] { scene::groups_from("head tail"); });
 }
 
 // 22 motors for five fingers in place of one for a mitten, a further one for each big toe.

@@ -242,7 +242,7 @@ TEST_F(SceneOlder, RefusesRemovedElementsWithTheirPlace) {
   refused(composite("type='cable' count='9 1 1' spacing='.1'"), "does not know <composite> of type \"cable\"");
   refused(composite("type='rope' count='9 1 1' spacing='.1' curve='s'"), "the attribute curve of <composite> (\"s\")");
   refused(composite("type='rope' count='0 1 1' spacing='.1'"), "count is \"0 1 1\"");
-  refused(composite("type='rope' count='1 3 1' spacing='.1'"), "those of 1 last");
+  refused(composite("type='rope' count='1 3 1' spacing='.1'"), "with all ones at the end");
   refused(composite("type='rope' count='3' spacing='-1'"), "spacing is \"-1\", expected a length");
   refused(composite("type='rope' count='3 3 1' spacing='.1'"), "expected one dimension");
   refused(composite("type='rope' count='3 1 1' prefix='r' spacing='.1'"),
