@@ -221,7 +221,8 @@ int main(void) {
   add_cameras(scene);
   CHECK_OK(mimo_env_config_init(&config, sizeof config));
   config.renderer = "none";
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "camera \"wall\" is observed; choose a renderer", mimo_env_create(scene, &config, &env));
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "camera \"wall\" is observed; choose a renderer",
+              mimo_env_create(scene, &config, &env));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   if (env == NULL) return failures();
   check_cameras(env);

@@ -84,7 +84,7 @@ internal static partial class Tests
             using (var env = new Env(scene))
             {
                 Says("set step_contacts in EnvConfig", () => env.StepContacts());
-                Says("has no Quantity.Now; Env.Observe brings", () => env.Get(Quantity.ActuatorForce | Quantity.Now));
+                Says("has no Quantity.Now; Env.Observe computes", () => env.Get(Quantity.ActuatorForce | Quantity.Now));
             }
             Check(Refused(() => new Env(scene, new EnvConfig { Jacobian = (Jacobian)7 })).Message.Contains("jacobian is 7"), "Jacobian");
             Check(Refused(() => new Env(scene, new EnvConfig { Disable = (Disable)0x80 })).Message.Contains("disable"), "bits");

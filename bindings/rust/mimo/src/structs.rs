@@ -63,7 +63,10 @@ pub(crate) fn common_length(arrays: &[(usize, usize, &str)]) -> Result<usize> {
         None => Ok(count),
         Some((length, width, name)) => Err(Error::new(
             Status::INVALID_ARGUMENT,
-            format!("{} has {} elements, expected {} times {}, as {} has", name, length, count, width, given[0].2),
+            format!(
+                "{} has {} elements, expected {} times {}, as {} has",
+                name, length, count, width, given[0].2
+            ),
         )),
     }
 }
