@@ -15,7 +15,6 @@
 //   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
 #include <mimo/experimental.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +22,11 @@
 #include <string>
 #include <vector>
 
+#include "bench/measured.h"
+
 namespace {
+
+using mimo::test::median;
 
 using Clock = std::chrono::steady_clock;
 
@@ -31,11 +34,6 @@ void check(mimo_status status) {
   if (status == MIMO_OK) return;
   std::fprintf(stderr, "%s\n", mimo_last_error());
   std::exit(1);
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 enum class Extra { kContacts, kDelays, kEyes, kSkin, kCaresses, kReceptors, kReflexes, kHearing, kVoice, kRecording };

@@ -5,13 +5,13 @@
 //
 // The first world of a process also decodes the pictures. Times are of the processor, medians. In brackets they are in
 // physics steps of the benchmark scene as the original solves it (dense Jacobian), measured in turns with them.
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <ctime>
 #include <functional>
 #include <vector>
 
+#include "bench/measured.h"
 #include "blueprint/agents.h"
 #include "blueprint/aging_world.h"
 #include "blueprint/blueprint.h"
@@ -20,6 +20,8 @@
 
 namespace mimo::test {
 namespace {
+
+using mimo::test::median;
 
 double milliseconds_of(const std::function<void()>& work) {
   const auto now = [] {
@@ -30,11 +32,6 @@ double milliseconds_of(const std::function<void()>& work) {
   const double start = now();
   work();
   return now() - start;
-}
-
-double median(std::vector<double> times) {
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
-  return times[times.size() / 2];
 }
 
 // A step of the benchmark scene, dense.

@@ -7,7 +7,6 @@
 //                                   MJCF files, seen by MuJoCo's free camera: from its default place, or from this one;
 //                                   alone: rays only
 #include <mujoco/mujoco.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +22,7 @@
 #include "base/fail.h"
 #include "base/format.h"
 #include "base/numbers.h"
+#include "bench/measured.h"
 #include "engine/model.h"
 #include "engine/physics.h"
 #include "opengl/renderer.h"
@@ -33,28 +33,18 @@
 namespace {
 
 using namespace mimo;
+using test::median;
+using test::processor_seconds;
 
 constexpr int kPixels = 256;
-
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 // A renderer's picture, and a number that changes when it does.
 class Picture {
  public:
   double draw(render::Renderer& renderer, const mjModel& model, const mjData& data, const render::View& view) {
-    const double start = seconds();
+    const double start = processor_seconds();
     renderer.draw(model, data, view, {kPixels, kPixels, rgb_.data(), depth_.data(), nullptr});
-    return seconds() - start;
+    return processor_seconds() - start;
   }
   // FNV-1a of colours and depths.
   std::uint64_t sum() const {

@@ -1,20 +1,17 @@
 // What muscles cost: one update of all of them beside one bare physics step of the benchmark scene, for both bodies and
 // both models. Prints microseconds of the processor's time (a busy machine does not count), medians of blocks of 100.
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <vector>
 
+#include "bench/measured.h"
 #include "support/scenes.h"
 
 namespace {
 
-using mimo::actuation::Mode;
+using mimo::test::median;
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
+using mimo::actuation::Mode;
 
 template <typename Call>
 double microseconds(Call&& call) {

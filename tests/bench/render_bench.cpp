@@ -4,7 +4,6 @@
 // busy machine does not count.
 //
 //   bench_render [states, 25 by default] [instruction set]
-#include <time.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -16,6 +15,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "bench/measured.h"
 #include "engine/physics.h"
 #include "opengl/renderer.h"
 #include "rays/renderer.h"
@@ -25,18 +25,8 @@
 namespace {
 
 using namespace mimo;
-
-double seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
+using test::median;
+using test::processor_seconds;
 
 struct Size {
   int pixels;
@@ -72,9 +62,9 @@ int run(int states, const std::string& simd) {
         const double* range = model->actuator_forcerange + 2 * i;
         physics.data().ctrl[i] = range[0] + (range[1] - range[0]) * uniform(random);
       }
-      const double start = seconds();
+      const double start = processor_seconds();
       physics.step(1);
-      steps.push_back(seconds() - start);
+      steps.push_back(processor_seconds() - start);
     }
     for (const char* eye : {"eye_left", "eye_right"}) {
       const render::View view =
@@ -82,14 +72,14 @@ int run(int states, const std::string& simd) {
       for (Size& size : sizes) {
         const render::Picture picture{size.pixels, size.pixels, rgb.data()};
         for (int repeat = 0; repeat < 5; ++repeat) {
-          const double start = seconds();
+          const double start = processor_seconds();
           ray->draw(*model, physics.data(), view, picture);
-          if (state > 0) size.ray.push_back(seconds() - start);
+          if (state > 0) size.ray.push_back(processor_seconds() - start);
         }
         if (!size.reference) continue;
-        const double start = seconds();
+        const double start = processor_seconds();
         size.reference->draw(*model, physics.data(), view, picture);
-        if (state > 0) size.osmesa.push_back(seconds() - start);
+        if (state > 0) size.osmesa.push_back(processor_seconds() - start);
       }
     }
   }

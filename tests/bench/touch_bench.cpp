@@ -14,12 +14,15 @@
 #include <ctime>
 #include <vector>
 
+#include "bench/measured.h"
 #include "senses/touch/touch.h"
 #include "support/block.h"
 #include "support/scenes.h"
 
 namespace mimo::test {
 namespace {
+
+using mimo::test::median;
 
 using Clock = std::chrono::steady_clock;
 
@@ -28,11 +31,6 @@ double seconds(Work&& work) {
   const auto start = Clock::now();
   work();
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 std::shared_ptr<const senses::touch::Skin> make_skin(double scale) {
