@@ -36,12 +36,7 @@ observation::Field field_of(const mimo_task_field& field, const std::string& arg
   ours.name = text(field.name);
   require(!ours.name.empty(), "{}: name is {}, expected one", argument, field.name == nullptr ? "NULL" : "\"\"");
   check_path(ours.name, argument);
-  ours.shape = shape_of(field.shape, field.ndim, kMostValues, argument);
-  ours.unit = text(field.unit);
-  ours.frame = text(field.frame);
-  require(field.low < field.high, "{}: low is {} and high is {}, expected low < high", argument, field.low, field.high);
-  ours.low = field.low;
-  ours.high = field.high;
+  describe_field(field, kMostValues, argument, ours);
   ours.exempt = true;
   return ours;
 }

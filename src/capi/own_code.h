@@ -12,6 +12,7 @@
 #include "capi/check.h"
 #include "capi/guard.h"
 #include "capi/structs.h"
+#include "observation/field.h"
 
 namespace mimo::capi {
 
@@ -58,6 +59,17 @@ inline std::vector<std::size_t> shape_of(const std::size_t* shape, std::size_t n
     require(count <= most, "{}: it has more than {} numbers", argument, most);
   }
   return {sizes.begin(), sizes.end()};
+}
+
+// What fields of tasks and senses have in common, but for their names.
+template <typename Field>
+void describe_field(const Field& field, std::size_t most, const std::string& argument, observation::Field& ours) {
+  ours.shape = shape_of(field.shape, field.ndim, most, argument);
+  ours.unit = text(field.unit);
+  ours.frame = text(field.frame);
+  require(field.low < field.high, "{}: low is {} and high is {}, expected low < high", argument, field.low, field.high);
+  ours.low = field.low;
+  ours.high = field.high;
 }
 
 // How it is called.

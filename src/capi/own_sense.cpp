@@ -307,12 +307,7 @@ observation::Field RunningSense::field_of(const mimo_sense_field& field, const s
   ours.name = plan_->described.name + (name.empty() ? "" : "/" + name);
   check_choice(field.dtype, MIMO_U8, MIMO_F64, (argument + ": dtype").c_str());
   ours.type = static_cast<observation::Type>(field.dtype);
-  ours.shape = shape_of(field.shape, field.ndim, kMostBytes, argument);
-  ours.unit = text(field.unit);
-  ours.frame = text(field.frame);
-  require(field.low < field.high, "{}: low is {} and high is {}, expected low < high", argument, field.low, field.high);
-  ours.low = field.low;
-  ours.high = field.high;
+  describe_field(field, kMostBytes, argument, ours);
   ours.exempt = plan_->table.host_fills != 0;
   if (field.labels != nullptr || field.label_count != 0) {
     check_given(field.label_count, ours.count(), (argument + ": label_count").c_str());
