@@ -360,14 +360,23 @@ unsafe extern "C" fn close<S: Sense>(_: *mut c_void, own: *mut c_void) {
     });
 }
 
+/// Lets a sense change its memory.
+unsafe fn change<S: Sense>(
+    env: *const sys::mimo_env,
+    told: *const sys::mimo_sense_moment,
+    how: impl FnOnce(&S, &SenseMoment, &mut [f64]) -> Result<()>,
+) -> sys::mimo_status {
+    let (moment, told) = moment(env, told);
+    let opened = &*(told.own as *const Opened<S>);
+    status(|| how(&opened.sense, &moment, memory(opened, told)))
+}
+
 unsafe extern "C" fn reset<S: Sense>(
     _: *mut c_void,
     env: *const sys::mimo_env,
     told: *const sys::mimo_sense_moment,
 ) -> sys::mimo_status {
-    let (moment, told) = moment(env, told);
-    let opened = &*(told.own as *const Opened<S>);
-    status(|| opened.sense.reset(&moment, memory(opened, told)))
+    change(env, told, S::reset)
 }
 
 unsafe extern "C" fn advance<S: Sense>(
@@ -375,9 +384,7 @@ unsafe extern "C" fn advance<S: Sense>(
     env: *const sys::mimo_env,
     told: *const sys::mimo_sense_moment,
 ) -> sys::mimo_status {
-    let (moment, told) = moment(env, told);
-    let opened = &*(told.own as *const Opened<S>);
-    status(|| opened.sense.advance(&moment, memory(opened, told)))
+    change(env, told, S::advance)
 }
 
 unsafe extern "C" fn write<S: Sense>(
