@@ -56,26 +56,7 @@ BODY_25 = [
     "RSmallToe",
     "RHeel",
 ]
-COCO_18 = [
-    "Nose",
-    "Neck",
-    "RShoulder",
-    "RElbow",
-    "RWrist",
-    "LShoulder",
-    "LElbow",
-    "LWrist",
-    "RHip",
-    "RKnee",
-    "RAnkle",
-    "LHip",
-    "LKnee",
-    "LAnkle",
-    "REye",
-    "LEye",
-    "REar",
-    "LEar",
-]
+COCO_18 = [name for name in BODY_25[:19] if name != "MidHip"]
 PEOPLE = {3 * len(names): names for names in (BODY_25, COCO_18)}
 
 
