@@ -33,7 +33,7 @@ values! {
     INTERNAL = MIMO_E_INTERNAL,
     /// A file cannot be written; a file or state is damaged, or is none.
     FILE = MIMO_E_FILE,
-    /// A custom task failed or returned invalid values; see [`mimo_env_step`](crate::sys::mimo_env_step).
+    /// A custom task or sense failed or returned invalid values; see [`mimo_env_step`](crate::sys::mimo_env_step).
     TASK = MIMO_E_TASK,
     /// Not now: another thread uses the handle, or another call has to come first.
     BUSY = MIMO_E_BUSY,

@@ -85,6 +85,7 @@ pub struct SenseMoment<'a> {
     /// The world. What changes it fails.
     pub world: &'a World,
     told: &'a sys::mimo_sense_moment,
+    parameters: &'a [f64],
 }
 
 impl fmt::Debug for SenseMoment<'_> {
@@ -120,7 +121,7 @@ impl SenseMoment<'_> {
     }
     /// The value of a parameter, by its place in [`Sense::parameters`].
     pub fn parameter(&self, index: usize) -> f64 {
-        unsafe { *self.told.parameters.add(index) }
+        self.parameters[index]
     }
     /// A normal number that follows from the world's seed, the tick and this number.
     pub fn noise(&self, number: u64) -> f64 {
@@ -285,6 +286,9 @@ impl<S: Sense> SenseTable<S> {
     #[doc(hidden)]
     pub unsafe fn export(name: &str, sense: *mut sys::mimo_sense) -> sys::mimo_status {
         status(|| {
+            if ((*sense).struct_size as usize) < size_of::<sys::mimo_sense>() {
+                return Err(crate::Error::new(Status::UNSUPPORTED, "this sense needs a newer libmimo"));
+            }
             let table = Box::leak(Box::new(SenseTable::<S>::new(name)?));
             *sense = table.raw;
             Ok(())
@@ -312,6 +316,7 @@ macro_rules! export_sense {
 /// What open has made.
 struct Opened<S> {
     sense: S,
+    parameters: usize,
     memory: usize,
     bytes: Vec<usize>,
 }
@@ -321,9 +326,14 @@ struct Opened<S> {
 unsafe fn moment<'a>(
     env: *const sys::mimo_env,
     told: *const sys::mimo_sense_moment,
-) -> (SenseMoment<'a>, &'a sys::mimo_sense_moment) {
-    let told = &*told;
-    (SenseMoment { world: World::of(env as *mut sys::mimo_env), told }, told)
+    parameter_count: usize,
+) -> SenseMoment<'a> {
+    let (world, told) = (World::of(env as *mut sys::mimo_env), &*told);
+    let parameters = match parameter_count {
+        0 => &[],
+        count => std::slice::from_raw_parts(told.parameters, count),
+    };
+    SenseMoment { world, told, parameters }
 }
 
 /// # Safety
@@ -342,12 +352,13 @@ unsafe extern "C" fn open<S: Sense>(
     needs: *mut sys::mimo_sense_needs,
 ) -> sys::mimo_status {
     status(|| {
-        let (moment, _) = moment(env, told);
+        let parameters = S::parameters().len();
+        let moment = moment(env, told, parameters);
         let mut opening = SenseOpening { moment, memory: 0, sensors: false, bytes: Vec::new() };
         let sense = S::open(&mut opening)?;
         (*needs).memory_bytes = opening.memory.saturating_mul(size_of::<f64>());
         (*needs).sensors = opening.sensors.into();
-        let opened = Opened { sense, memory: opening.memory, bytes: opening.bytes };
+        let opened = Opened { sense, parameters, memory: opening.memory, bytes: opening.bytes };
         (*needs).own = Box::into_raw(Box::new(opened)) as *mut c_void;
         Ok(())
     })
@@ -366,9 +377,9 @@ unsafe fn change<S: Sense>(
     told: *const sys::mimo_sense_moment,
     how: impl FnOnce(&S, &SenseMoment, &mut [f64]) -> Result<()>,
 ) -> sys::mimo_status {
-    let (moment, told) = moment(env, told);
-    let opened = &*(told.own as *const Opened<S>);
-    status(|| how(&opened.sense, &moment, memory(opened, told)))
+    let opened = &*((*told).own as *const Opened<S>);
+    let moment = moment(env, told, opened.parameters);
+    status(|| how(&opened.sense, &moment, memory(opened, moment.told)))
 }
 
 unsafe extern "C" fn reset<S: Sense>(
@@ -392,11 +403,11 @@ unsafe extern "C" fn write<S: Sense>(
     env: *const sys::mimo_env,
     told: *const sys::mimo_sense_moment,
 ) -> sys::mimo_status {
-    let (moment, told) = moment(env, told);
-    let opened = &*(told.own as *const Opened<S>);
-    let places = std::slice::from_raw_parts(told.fields, told.field_count);
+    let opened = &*((*told).own as *const Opened<S>);
+    let moment = moment(env, told, opened.parameters);
+    let places = std::slice::from_raw_parts(moment.told.fields, moment.told.field_count);
     let mut fields = SenseFields { places, bytes: &opened.bytes };
-    status(|| opened.sense.write(&moment, memory(opened, told), &mut fields))
+    status(|| opened.sense.write(&moment, memory(opened, moment.told), &mut fields))
 }
 
 /// The parameters of a scene's own senses.
