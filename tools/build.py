@@ -16,7 +16,15 @@ SPACE = 300 * MEGABYTE  # library, program and their parts, with a reserve
 NINJA = {"NINJA_STATUS": "[%f of %t, %es] "}
 PROGRAM = ("mimo", "mimo_program")  # the targets that users get
 BENCH = ("mimo", "mimo_bench_program")
-RATIOS = ("bench_render", "bench_touch", "bench_muscle", "bench_worlds", "bench_extras", "bench_making")
+RATIOS = (
+    "bench_render",
+    "bench_touch",
+    "bench_muscle",
+    "bench_worlds",
+    "bench_extras",
+    "bench_making",
+    "bench_own_sense",
+)
 DEMO = """The pictures are in {}. Open first:
   outside.png           the infant, as you would see it
   left.png, right.png   what its eyes see

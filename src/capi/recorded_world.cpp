@@ -195,7 +195,9 @@ class RecordedScene {
     const auto found = own_senses_.find(name);
     if (found == own_senses_.end()) {
       fail(Status::kUnsupported,
-           "the recording needs the sense \"{}\"{}: mimo_recording_add_sense or mimo_recording_load_sense gives it",
+           "the recording needs the sense \"{}\"{}: mimo_recording_add_sense, mimo_recording_load_sense or the "
+           "program's "
+           "option --sense gives it",
            name, path.empty() ? "" : " (of " + path + ")");
     }
     add_recorded_sense(scene_, given.number<std::size_t>("agent"), found->second);

@@ -6,6 +6,20 @@
 #include "capi/use.h"
 #include "tasks/task.h"
 
+namespace mimo::capi {
+namespace {
+
+// Of what is no parameter of a sense of the user's own.
+void require_task_parameter(const std::string& name, const blueprint::Agents& agents) {
+  if (tasks::is_parameter(name)) return;
+  std::vector<std::string> of_senses;
+  for (const env::OwnSense::Parameter* parameter : agents.sense_parameters()) of_senses.push_back(parameter->name);
+  tasks::fail_unknown_parameter(name, std::move(of_senses));
+}
+
+}  // namespace
+}  // namespace mimo::capi
+
 using namespace mimo;
 using namespace mimo::capi;
 
@@ -40,7 +54,10 @@ mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double
     blueprint::Blueprint& blueprint = open(scene).blueprint;
     require(name != nullptr, "name is NULL");
     blueprint.edit([&](blueprint::SceneEdit& edit) {
-      if (!edit.agents.set_sense_parameter(name, value)) edit.parameters.set(name, value);
+      if (!edit.agents.set_sense_parameter(name, value)) {
+        require_task_parameter(name, edit.agents);
+        edit.parameters.set(name, value);
+      }
       note(edit, {{"call", "set_parameter"}, {"name", name}, {"value", value}});
     });
   });
@@ -48,10 +65,11 @@ mimo_status mimo_scene_set_parameter(mimo_scene* scene, const char* name, double
 
 mimo_status mimo_scene_get_parameter(const mimo_scene* scene, const char* name, double* value) noexcept {
   return guard(scene, [&] {
-    const blueprint::Blueprint& blueprint = open(scene).blueprint;
+    const blueprint::SceneEdit& current = open(scene).blueprint.current();
     require(name != nullptr, "name is NULL");
-    const double* const of_sense = blueprint.current().agents.sense_parameter(name);
-    out(value, "value") = of_sense != nullptr ? *of_sense : blueprint.current().parameters[name];
+    const double* const of_sense = current.agents.sense_parameter(name);
+    if (of_sense == nullptr) require_task_parameter(name, current.agents);
+    out(value, "value") = of_sense != nullptr ? *of_sense : current.parameters[name];
   });
 }
 

@@ -169,6 +169,8 @@ void add_info(CLI::App& program) {
   add_vision_options(*command, options->world, "the scene's own");
   add_touch_option(*command, options->world);
   add_senses_option(*command, options->world);
+  add_own_senses_option(*command, options->world);
+  add_parameter_option(*command, options->world);
   add_voice_option(*command, options->world);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(

@@ -16,6 +16,7 @@ void add_acting_options(CLI::App& command, WorldOptions& options) {
   add_actuation_option(command, options);
   add_reflexes_option(command, options);
   add_face_option(command, options);
+  add_parameter_option(command, options);
 }
 
 // Of an option that a command has.
@@ -99,6 +100,7 @@ void add_recorded_options(CLI::App& command, WorldOptions& options) {
   add_foveation_option(command, options);
   add_touch_option(command, options);
   add_senses_option(command, options);
+  add_own_senses_option(command, options);
 }
 
 bool senses_changed(const CLI::App& command) {
@@ -108,7 +110,7 @@ bool senses_changed(const CLI::App& command) {
   return false;
 }
 
-mimo::Env open_recorded(const std::string& file, const mimo::Recording& recording, const WorldOptions& options,
+mimo::Env open_recorded(const std::string& file, mimo::Recording& recording, const WorldOptions& options,
                         const CLI::App& command) {
   const mimo_recording_info info = recording.info();
   const std::string given = given_acting_option(command);
@@ -120,6 +122,7 @@ mimo::Env open_recorded(const std::string& file, const mimo::Recording& recordin
     return open_as_given(options, info.step_seconds);
   }
   if (!given.empty()) throw Failure(given + ": " + file + " holds its world itself");
+  for (const std::string& library : options.own_senses) recording.load_sense(library);
   mimo_env_config config = make_env_config();
   set_renderer(options, config);
   const mimo_agent_config senses = changed_senses(options, command);

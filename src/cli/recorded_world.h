@@ -30,10 +30,10 @@ mimo::Recorder open_recorder(mimo::Env& env, const RecorderOptions& options, std
 // Those of a world that moves, without the seed.
 void add_recorded_options(CLI::App& command, WorldOptions& options);
 
-// The world of a recording, whose senses are as recorded, except those for which `command` got options. One of a
-// version that kept no world is made of the options alone. Throws a Failure that names the file, where options are
-// given or missing for that.
-mimo::Env open_recorded(const std::string& file, const mimo::Recording& recording, const WorldOptions& options,
+// The world of a recording, whose senses are as recorded, except those for which `command` got options. The recording
+// is given the senses of the user's own. A world of a version that kept none is made of the options alone. Throws a
+// Failure that names the file, where options are given or missing for that.
+mimo::Env open_recorded(const std::string& file, mimo::Recording& recording, const WorldOptions& options,
                         const CLI::App& command);
 
 // Whether what is sensed may differ from what was recorded.

@@ -209,6 +209,8 @@ void add_run(CLI::App& program) {
       ->type_name("DIR")
       ->capture_default_str();
   add_senses_option(*command, options->world);
+  add_own_senses_option(*command, options->world);
+  add_parameter_option(*command, options->world);
   add_voice_option(*command, options->world);
   command->add_option("--sound", options->sound, "Also write what both ears of the first infant hear, as a WAV file")
       ->type_name("FILE")

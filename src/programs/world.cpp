@@ -193,13 +193,17 @@ void add_receptors(mimo_agent_config& agent) {
   agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
 }
 
+// "strength=0.7" as a name and a number, which there may not be.
+std::pair<std::string, std::optional<double>> parts_of_setting(const std::string& setting) {
+  const std::size_t equals = std::min(setting.find('='), setting.size());
+  return {setting.substr(0, equals), finite_number(equals == setting.size() ? "" : setting.substr(equals + 1))};
+}
+
 // Sets "strength=0.7". The name of what it sets; "" where there is no such number or it cannot be so.
 std::string set_number(mimo_agent_config& agent, const std::string& setting) {
-  const std::size_t equals = std::min(setting.find('='), setting.size());
-  const std::string name = setting.substr(0, equals);
-  const std::optional<double> value = finite_number(equals == setting.size() ? "" : setting.substr(equals + 1));
+  const auto [name, value] = parts_of_setting(setting);
   std::string done;
-  for_each_number(agent, [&](const char* known, auto& number) {
+  for_each_number(agent, [&, name = name, value = value](const char* known, auto& number) {
     using Number = std::decay_t<decltype(number)>;
     using Limits = std::numeric_limits<Number>;
     if (name != known || !value) return;
@@ -217,6 +221,22 @@ std::string check_setting(const std::string& setting) {
   std::vector<std::string> names;
   for_each_number(agent, [&](const char* name, auto&) { names.emplace_back(name); });
   return "expected NAME=VALUE with a number that fits, not '" + setting + "'; names are " + list(names);
+}
+
+std::string check_parameter(const std::string& setting) {
+  const auto [name, value] = parts_of_setting(setting);
+  return !name.empty() && value ? "" : "expected NAME=VALUE with a number, not '" + setting + "'";
+}
+
+// Each infant gets the senses of the user's own.
+void add_own(const WorldOptions& options, std::size_t agents, mimo::Scene& scene) {
+  for (const std::string& library : options.own_senses) {
+    for (std::size_t agent = 0; agent < agents; ++agent) scene.load_sense(library, agent);
+  }
+  for (const std::string& setting : options.parameters) {
+    const auto [name, value] = parts_of_setting(setting);
+    scene.set_parameter(name, value.value_or(0));
+  }
 }
 
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
@@ -453,6 +473,23 @@ void add_face_option(CLI::App& command, WorldOptions& options) {
   command.add_option("--face", options.face, "The infant's face: " + list(mimo::face_names()))->type_name("NAME");
 }
 
+void add_own_senses_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--sense", options.own_senses,
+                  "Shared library with a sense of your own, whose code is run; may be\ngiven several times")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+}
+
+void add_parameter_option(CLI::App& command, WorldOptions& options) {
+  command
+      .add_option("--parameter", options.parameters,
+                  "A number of the task or of a sense of your own, as ct/gain=2; may be\ngiven several times")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(check_parameter, ""));
+}
+
 void add_seed_option(CLI::App& command, WorldOptions& options) {
   command.add_option("--seed", options.seed, "Seed of everything random")
       ->type_name("N")
@@ -460,9 +497,11 @@ void add_seed_option(CLI::App& command, WorldOptions& options) {
       ->capture_default_str();
 }
 
-mimo::Scene make_scene(const WorldOptions& options, Senses senses) {
+namespace {
+
+// How many agents it has been given.
+std::size_t add_agents(const WorldOptions& options, Senses senses, mimo::Scene& scene) {
   constexpr double kSpacing = 0.05;  // of touch sensors on what is no infant, m
-  mimo::Scene scene = load_scene(options);
   const mimo_agent_config usual = scene.default_agent();
   const std::string body = body_of_scene(options, usual);
   mimo_agent_config agent = agent_config(options, senses, usual);
@@ -472,10 +511,18 @@ mimo::Scene make_scene(const WorldOptions& options, Senses senses) {
     make_agent_of_all(options, agent);
     scene.add_agent(agent);
     if (agent.touch != 0) scene.set_touch(kSpacing / agent.touch_scale);
-    return scene;
+    return 1;
   }
   agent.body = body.c_str();
-  scene.add_agents(&agent);
+  return scene.add_agents(&agent);
+}
+
+}  // namespace
+
+mimo::Scene make_scene(const WorldOptions& options, Senses senses) {
+  mimo::Scene scene = load_scene(options);
+  const std::size_t agents = add_agents(options, senses, scene);
+  if (senses != Senses::kNone) add_own(options, agents, scene);
   return scene;
 }
 
@@ -494,8 +541,9 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config) {
 
 mimo::Env open_world(const WorldOptions& options, mimo_env_config config) {
   set_renderer(options, config);
+  const mimo::Scene scene = make_scene(options, Senses::kAll);
   try {
-    return mimo::Env(make_scene(options, Senses::kAll), config);
+    return mimo::Env(scene, config);
   } catch (const mimo::Exception& error) {
     if (error.status() != MIMO_E_UNSUPPORTED || !options.vision.empty()) throw;
     std::fprintf(stderr, "mimo: vision is off: %s\n", error.what());

@@ -48,6 +48,8 @@ struct WorldOptions {
   std::string face;               // "" means the model's own
   std::string actuation;          // "" means the scene's own
   std::uint64_t seed = 0;
+  std::vector<std::string> own_senses;  // shared libraries
+  std::vector<std::string> parameters;  // "NAME=VALUE": of tasks and of these senses
 };
 
 // The parts of a list with commas between.
@@ -72,6 +74,9 @@ void add_voice_option(CLI::App& command, WorldOptions& options);
 void add_senses_option(CLI::App& command, WorldOptions& options);
 void add_reflexes_option(CLI::App& command, WorldOptions& options);
 void add_face_option(CLI::App& command, WorldOptions& options);
+// Senses of the user's own. No option that a file can hold: a file must not have code loaded.
+void add_own_senses_option(CLI::App& command, WorldOptions& options);
+void add_parameter_option(CLI::App& command, WorldOptions& options);
 void add_seed_option(CLI::App& command, WorldOptions& options);
 void add_seconds_option(CLI::App& command, double& seconds);  // how long a world moves
 

@@ -1,5 +1,6 @@
 #include "tasks/task.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "base/fail.h"
@@ -8,12 +9,10 @@ namespace mimo::tasks {
 namespace {
 
 const Parameter& find(const std::string& name) {
-  std::vector<std::string> names;
   for (const Parameter* candidate : parameters()) {
     if (name == candidate->name) return *candidate;
-    names.emplace_back(candidate->name);
   }
-  fail(Status::kNotFound, "no parameter named \"{}\"; {}", name, choice_of(name, std::move(names)));
+  fail_unknown_parameter(name);
 }
 
 // No task: the reward is 0 and episodes do not end.
@@ -37,6 +36,16 @@ std::vector<const Parameter*> parameters() {
     for (const Parameter& parameter : task->parameters) all.push_back(&parameter);
   }
   return all;
+}
+
+void fail_unknown_parameter(const std::string& name, std::vector<std::string> further) {
+  for (const Parameter* known : parameters()) further.emplace_back(known->name);
+  fail(Status::kNotFound, "no parameter named \"{}\"; {}", name, choice_of(name, std::move(further)));
+}
+
+bool is_parameter(const std::string& name) {
+  const std::vector<const Parameter*> all = parameters();
+  return std::any_of(all.begin(), all.end(), [&](const Parameter* known) { return name == known->name; });
 }
 
 void Settings::set(const std::string& name, double value) {

@@ -27,6 +27,9 @@ struct Parameter {
 
 // Those of all tasks, one after the other.
 std::vector<const Parameter*> parameters();
+bool is_parameter(const std::string& name);
+// With Status::kNotFound; `further` names are known elsewhere.
+[[noreturn]] void fail_unknown_parameter(const std::string& name, std::vector<std::string> further = {});
 
 class Settings {
  public:

@@ -58,6 +58,7 @@ VOICE = ["bench_extras", "voice", "1500"]
 HEARING = ["bench_extras", "hearing", "1500"]
 RECORDING = ["bench_extras", "recording", "1500"]
 RECEPTORS = ["bench_extras", "receptors", "1500"]
+OWN_SENSE = ["bench_own_sense"]
 
 
 def step_vs_raw(result):
@@ -124,6 +125,8 @@ RATIOS = [
     ("all receptors, over the step without eyes", RECEPTORS, in_text(r"(-?[\d.]+) of a step more")),
     ("recorded, over the step without eyes", RECORDING, in_text(r"(-?[\d.]+) of a step more")),
     ("reflexes, over the step without eyes", REFLEXES, in_text(r"(-?[\d.]+) of a step more")),
+    ("a pendulum's step, over its bare physics", OWN_SENSE, in_text(r"without a sense ([\d.]+) times as long")),
+    ("a user's empty sense, over that physics", OWN_SENSE, in_text(r"us more, (-?[\d.]+) of that physics")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),
     ("MuJoCo's muscles, over a physics step", MUSCLE, muscles("mitten", "MuJoCo")),
     ("muscles of five fingers, over a physics step", MUSCLE, muscles("fingers", "MIMo")),

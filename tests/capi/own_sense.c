@@ -333,7 +333,10 @@ static void check_parameters(void) {
   CHECK_FAILS(MIMO_E_NOT_FOUND, "there are 1 parameters", mimo_scene_sense_parameter(scene, 1, &parameter));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "elbow/gain is 6, expected 0 to 5",
               mimo_scene_set_parameter(scene, "elbow/gain", 6));
-  CHECK_FAILS(MIMO_E_NOT_FOUND, "elbow/grain", mimo_scene_set_parameter(scene, "elbow/grain", 1));
+  CHECK_FAILS(MIMO_E_NOT_FOUND,
+              "no parameter named \"elbow/grain\"; did you mean \"elbow/gain\"? there are: elbow/gain, reach/",
+              mimo_scene_set_parameter(scene, "elbow/grain", 1));
+  CHECK_FAILS(MIMO_E_NOT_FOUND, "did you mean \"elbow/gain\"?", mimo_scene_get_parameter(scene, "elbow/grain", &value));
   CHECK_OK(mimo_scene_set_parameter(scene, "elbow/gain", 4));
   CHECK_OK(mimo_scene_get_parameter(scene, "elbow/gain", &value));
   CHECK(value == 4);

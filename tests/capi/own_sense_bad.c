@@ -11,6 +11,10 @@ enum fault {
   FIELD_TWICE,
   FIELD_OF_OTHERS,
   SHAPE_OF_0,
+  STRANGE_TYPE,
+  STRANGE_BOUNDS,
+  FEW_LABELS,
+  STRANGE_RECEPTOR,
   STRANGE_SKIN,
   MUCH_MEMORY,
   RESET_FAILS,
@@ -44,6 +48,29 @@ static mimo_status add(const mimo_env* env, const char* name, size_t size, const
   return mimo_sense_add_field(env, &field);
 }
 
+/* Of two numbers, with something wrong. */
+static mimo_status add_strange(const mimo_env* env, enum fault fault) {
+  static const char* const labels[1] = {"left"};
+  static const int32_t receptors[2] = {0, 1000000};
+  const size_t size = 2;
+  mimo_sense_field field;
+  CHECK_OK(mimo_sense_field_init(&field, sizeof field));
+  field.shape = &size;
+  field.ndim = 1;
+  if (fault == STRANGE_TYPE) field.dtype = 17;
+  if (fault == STRANGE_BOUNDS) field.low = field.high = 1;
+  if (fault == FEW_LABELS) {
+    field.labels = labels;
+    field.label_count = 1;
+  }
+  if (fault == STRANGE_RECEPTOR) {
+    field.skin = "touch/force";
+    field.receptors = receptors;
+    field.receptor_count = 2;
+  }
+  return mimo_sense_add_field(env, &field);
+}
+
 static mimo_status open_bad(void* user, const mimo_env* env, const mimo_sense_moment* moment, mimo_sense_needs* needs) {
   rules* rule = user;
   (void)moment;
@@ -54,6 +81,10 @@ static mimo_status open_bad(void* user, const mimo_env* env, const mimo_sense_mo
     case NO_FIELD: return MIMO_OK;
     case FIELD_OF_OTHERS: return add(env, "position", 2, NULL);
     case SHAPE_OF_0: return add(env, "a", 0, NULL);
+    case STRANGE_TYPE:
+    case STRANGE_BOUNDS:
+    case FEW_LABELS:
+    case STRANGE_RECEPTOR: return add_strange(env, rule->fault);
     case STRANGE_SKIN: return add(env, "a", 2, "touch/fur");
     default: break;
   }
@@ -168,6 +199,12 @@ static void check_tables(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "low is 0 and high is nan", mimo_scene_add_sense(scene, 0, &sense));
   sense.parameters = NULL;
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "parameters is NULL", mimo_scene_add_sense(scene, 0, &sense));
+  parameters[0].name = "success_reward";
+  parameters[0].standard = parameters[0].high = 1;
+  sense.name = "reach";
+  sense.parameters = parameters;
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "a task has a parameter \"reach/success_reward\" already",
+              mimo_scene_add_sense(scene, 0, &sense));
   CHECK_FAILS(MIMO_E_FILE, "/none/lib.so", mimo_scene_load_sense(scene, 0, "/none/lib.so"));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "path is \"\"", mimo_scene_load_sense(scene, 0, ""));
   CHECK_OK(mimo_scene_add_sense(scene, 0, &good)); /* after all these */
@@ -190,7 +227,8 @@ static void check_refused(enum fault fault, mimo_status status, const char* part
   mimo_scene_destroy(scene);
 }
 
-/* The first step fails and has happened, its field is 0, and without the fault the next one succeeds. */
+/* The first step fails and has happened: its field is 0, and results are there. Without the fault the next one
+ * succeeds. */
 static void check_step(enum fault fault, const char* part) {
   rules rule = {NO_FAULT, NULL};
   const mimo_sense sense = bad_sense(&rule);
@@ -202,6 +240,8 @@ static void check_step(enum fault fault, const char* part) {
   double time = 0, timestep = 0;
   unsigned char* block;
   float values[2];
+  double reward = 7;
+  const mimo_env_results results = {.struct_size = sizeof results, .agent_count = 1, .reward = &reward};
   CHECK_OK(mimo_scene_add_sense(scene, 0, &sense));
   CHECK_OK(mimo_env_create(scene, NULL, &env));
   CHECK_FAILS(MIMO_E_BUSY, "which has returned", mimo_env_count(rule.kept, MIMO_BODY, &bodies));
@@ -213,9 +253,10 @@ static void check_step(enum fault fault, const char* part) {
   CHECK_OK(mimo_env_reset(env, SEED(1), block, info.block_bytes));
   rule.fault = fault;
   if (part != NULL)
-    CHECK_FAILS(MIMO_E_TASK, part, mimo_env_step(env, NULL, 0, block, info.block_bytes, NULL));
+    CHECK_FAILS(MIMO_E_TASK, part, mimo_env_step(env, NULL, 0, block, info.block_bytes, &results));
   else
-    CHECK_OK(mimo_env_step(env, NULL, 0, block, info.block_bytes, NULL));
+    CHECK_OK(mimo_env_step(env, NULL, 0, block, info.block_bytes, &results));
+  CHECK(reward == 0); /* without a task */
   CHECK_OK(mimo_env_time(env, &time));
   CHECK_NEAR(2 * timestep, time, 1e-12);
   memcpy(values, block + field.offset, sizeof values);
@@ -299,6 +340,10 @@ int main(void) {
   check_refused(FIELD_TWICE, MIMO_E_TASK, "there are two fields \"bad/a\"");
   check_refused(FIELD_OF_OTHERS, MIMO_E_INVALID_ARGUMENT, "there are two fields \"proprioception/position\"");
   check_refused(SHAPE_OF_0, MIMO_E_TASK, "shape[0] is 0");
+  check_refused(STRANGE_TYPE, MIMO_E_TASK, "dtype is 17");
+  check_refused(STRANGE_BOUNDS, MIMO_E_TASK, "low is 1 and high is 1, expected low < high");
+  check_refused(FEW_LABELS, MIMO_E_TASK, "label_count is 1, expected 2");
+  check_refused(STRANGE_RECEPTOR, MIMO_E_TASK, "receptors[1] is 1000000, expected 0 to ");
   check_refused(STRANGE_SKIN, MIMO_E_TASK, "skin is \"touch/fur\", expected a field of the agent's touch");
   check_refused(MUCH_MEMORY, MIMO_E_INVALID_ARGUMENT, "memory_bytes is 16777217");
   check_refused(RESET_FAILS, MIMO_E_TASK, "the sense \"bad\"'s function reset returned -6 (MIMO_E_MODEL): not today");

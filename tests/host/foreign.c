@@ -256,6 +256,41 @@ static void check_requested(void) {
   unload(h);
 }
 
+static mimo_status open_nose(void* user, const mimo_env* env, const mimo_sense_moment* moment,
+                             mimo_sense_needs* needs) {
+  mimo_sense_field field;
+  (void)user, (void)moment, (void)needs;
+  CHECK_OK(mimo_sense_field_init(&field, sizeof field));
+  return mimo_sense_add_field(env, &field);
+}
+
+static mimo_status write_nose(void* user, const mimo_env* env, const mimo_sense_moment* moment) {
+  (void)user, (void)env, (void)moment;
+  return MIMO_OK;
+}
+
+/* Senses of one's own see worlds of the library's only. */
+static void check_own_sense(void) {
+  host h = load("humanoid");
+  mimo_agent_config config = part_of("torso");
+  mimo_scene* scene = scene_of(&config);
+  mimo_senses* senses = NULL;
+  mimo_sense sense;
+  CHECK_OK(mimo_sense_init(&sense, sizeof sense));
+  sense.interface_version = MIMO_SENSE_INTERFACE;
+  sense.name = "nose";
+  sense.open = open_nose;
+  sense.write = write_nose;
+  CHECK_OK(attach(scene, h, &senses));
+  mimo_senses_destroy(senses);
+  senses = NULL;
+  CHECK_OK(mimo_scene_add_sense(scene, 0, &sense));
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "sense \"nose\": attached senses have none of your own", attach(scene, h, &senses));
+  CHECK(senses == NULL);
+  mimo_scene_destroy(scene);
+  unload(h);
+}
+
 static void check_foreign_memory(void) {
   host h = load("humanoid"), other = load("rubble");
   mimo_agent_config config = part_of("world");
@@ -298,6 +333,7 @@ int main(void) {
   check_humanoid();
   check_gripper();
   check_lacks();
+  check_own_sense();
   check_foreign_memory();
   check_requested();
   return failures();

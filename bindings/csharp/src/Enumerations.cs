@@ -34,7 +34,7 @@ namespace Mimo
         Internal = -12,
         /// <summary>A file cannot be written; a file or state is damaged, or is none.</summary>
         File = -13,
-        /// <summary>A custom task failed or returned invalid values; see Env.Step.</summary>
+        /// <summary>A custom task or sense failed or returned invalid values; see Env.Step.</summary>
         Task = -14,
         /// <summary>Not now: another thread uses the handle, or another call has to come first.</summary>
         Busy = -15,

@@ -93,7 +93,7 @@ class Status(IntEnum):
     """A file cannot be written; a file or state is damaged, or is none."""
 
     TASK = -14
-    """A custom task failed or returned invalid values; see World.step."""
+    """A custom task or sense failed or returned invalid values; see World.step."""
 
     BUSY = -15
     """Not now: another thread uses the handle, or another call has to come first."""

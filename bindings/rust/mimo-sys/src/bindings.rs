@@ -68,7 +68,7 @@ pub const MIMO_E_INTERNAL: i32 = -12;
 /// A file cannot be written; a file or state is damaged, or is none.
 pub const MIMO_E_FILE: i32 = -13;
 
-/// A custom task failed or returned invalid values; see mimo_env_step.
+/// A custom task or sense failed or returned invalid values; see mimo_env_step.
 pub const MIMO_E_TASK: i32 = -14;
 
 /// Not now: another thread uses the handle, or another call has to come first.
@@ -2905,8 +2905,8 @@ extern "C" {
     /// * `length`: receives the length without the terminating zero; may be NULL.
     pub fn mimo_last_error_of(handle: *const c_void, text: *mut c_char, capacity: usize, length: *mut usize) -> mimo_status;
 
-    /// Reports an error in a function of a custom task: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this
-    /// scene");`. The call that runs the task fails with MIMO_E_TASK and quotes the status and the message.
+    /// Reports an error in a function of a custom task or sense: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this
+    /// scene");`. The call that runs the function fails with MIMO_E_TASK and quotes the status and the message.
     ///
     /// Returns: status, after mimo_last_error() was set to the message.
     ///
@@ -3293,8 +3293,8 @@ extern "C" {
     /// MIMO_E_SIMULATION if the physics fails or diverges: block and results are unspecified. The world can then be
     /// read (names, values, sizes), and values that survive resets can be written; every function that simulates,
     /// senses, draws, writes other values, saves or clones returns MIMO_E_SIMULATION until the world is reset or loads
-    /// a state. MIMO_E_TASK if a custom task fails, whatever it returned: the step has happened, block is written and
-    /// results are not. MIMO_E_BUSY from within a task of this world: nothing happens.
+    /// a state. MIMO_E_TASK if a custom task or sense fails, whatever it returned: the step has happened, block is
+    /// written, and results are where no task failed. MIMO_E_BUSY from within a task of this world: nothing happens.
     ///
     /// * `action`: all agents' actions, clipped to their bounds (mimo_layout_action); NULL with action_count 0 leaves
     /// the controls unchanged (0 after a reset, or as set by mimo_env_set).
@@ -3609,7 +3609,7 @@ extern "C" {
     /// Describes the index-th parameter. Set parameter->struct_size first.
     pub fn mimo_parameter_describe(index: usize, parameter: *mut mimo_parameter) -> mimo_status;
 
-    /// Sets a parameter for environments made from now on.
+    /// Sets a parameter of a task, or of a sense of your own, for environments made from now on.
     ///
     /// Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range.
     pub fn mimo_scene_set_parameter(scene: *mut mimo_scene, name: *const c_char, value: f64) -> mimo_status;
