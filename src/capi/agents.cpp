@@ -38,12 +38,11 @@ senses::TouchOptions touch(const mimo_agent_config& config) {
   if (options.wanted == 0) return options;
   check_choice(config.touch_response, MIMO_RESPONSE_NEAREST, MIMO_RESPONSE_GAUSSIAN, "touch_response");
   check_choice(config.touch_frame, MIMO_FRAME_BODY, MIMO_FRAME_SKIN, "touch_frame");
-  require_between(config.touch_scale, 0.001, 1000.0, "touch_scale");
   require(config.touch_slip_threshold >= 0 && std::isfinite(config.touch_slip_threshold),
           "touch_slip_threshold is {}, expected m/s, 0 or above", config.touch_slip_threshold);
   options.response = static_cast<senses::touch::Response>(config.touch_response);
   options.frame = static_cast<senses::TouchFrame>(config.touch_frame);
-  options.scale = config.touch_scale;
+  options.scale = in_range(config.touch_scale, ranges::agent_config::touch_scale);
   options.slip_threshold = config.touch_slip_threshold;
   return options;
 }
@@ -59,8 +58,8 @@ actuation::Options actuation(const mimo_agent_config& config) {
 
 // Infants' only: the gears of other models may mean anything.
 double strength(const mimo_agent_config& config) {
-  const double factor = config.strength == 0 ? 1 : config.strength;
-  require(factor >= 0.01 && factor <= 100, "strength is {}, expected 0.01 to 100, or 0 for 1", factor);
+  const double given = in_range_or_zero(config.strength, ranges::agent_config::strength, "", "1");
+  const double factor = given == 0 ? 1 : given;
   const bool has_motors = text(config.root).empty() && config.actuation != MIMO_ACTUATION_POSITION;
   require(factor == 1 || has_motors, "strength is {}, expected 1 with a root or MIMO_ACTUATION_POSITION", factor);
   return factor;
@@ -87,13 +86,14 @@ senses::HearingOptions hearing(const mimo_agent_config& config) {
 }
 
 env::AgentOptions agent_options(const mimo_agent_config& config) {
+  using namespace ranges::agent_config;
   env::AgentOptions options;
   options.name = text(config.name);
   options.proprioception = proprioception(config);
   options.vestibular = vestibular(config);
-  options.vision = vision({"vision", config.vision}, {"vision_width", config.vision_width},
-                          {"vision_height", config.vision_height}, {"vision_fovy", config.vision_fovy});
-  options.vision.foveation = foveation(config.vision_foveation, "vision_foveation");
+  options.vision = vision(config.vision, "vision", {config.vision_width, vision_width},
+                          {config.vision_height, vision_height}, {config.vision_fovy, vision_fovy});
+  options.vision.foveation = in_range_or_zero(config.vision_foveation, vision_foveation, "", "none");
   options.touch = touch(config);
   options.hearing = hearing(config);
   check_flag(config.voice, "voice");

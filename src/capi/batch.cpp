@@ -39,7 +39,6 @@ EnvObject::EnvObject(BatchObject& all, std::size_t which)
 
 namespace {
 
-constexpr std::uint32_t kMostWorlds = 1u << 20;
 constexpr std::uint32_t kMostThreads = 1u << 12;
 
 mimo_batch_config default_batch_config() {
@@ -50,15 +49,13 @@ mimo_batch_config default_batch_config() {
 }
 
 batch::Options batch_options(const mimo_batch_config& config) {
-  require(config.worlds >= 1 && config.worlds <= kMostWorlds, "worlds is {}, expected 1 to {}", config.worlds,
-          kMostWorlds);
   require(config.threads <= kMostThreads, "threads is {}, expected up to {}, or 0 for the machine's", config.threads,
           kMostThreads);
   check_choice(config.autoreset, MIMO_AUTORESET_NONE, MIMO_AUTORESET_SAME_STEP, "autoreset");
   check_flag(config.restart_failed, "restart_failed");
   check_reserved(config.reserved, "reserved");
   batch::Options options;
-  options.worlds = config.worlds;
+  options.worlds = in_range(config.worlds, ranges::batch_config::worlds);
   options.threads = config.threads;
   options.autoreset = static_cast<batch::Autoreset>(config.autoreset);
   options.restart_failed = config.restart_failed != 0;

@@ -6,9 +6,25 @@
 
 #include "base/fail.h"
 #include "base/span.h"
+#include "common/ranges.h"
 #include "mimo/status.h"
 
 namespace mimo::capi {
+
+// A number of a struct, in the range that its comment gives. `unit` is told behind the range, as " seconds".
+template <typename T>
+T in_range(T value, const ranges::Range<T>& range, const char* unit = "") {
+  require_between(value, range.low, range.high, range.name, unit);
+  return value;
+}
+
+// The same, or 0, whose meaning is told.
+template <typename T>
+T in_range_or_zero(T value, const ranges::Range<T>& range, const char* unit, const char* zero) {
+  require(value == 0 || range.has(value), "{} is {}, expected {} to {}{}, or 0 for {}", range.name, value, range.low,
+          range.high, unit, zero);
+  return value;
+}
 
 // An output parameter that must be there.
 template <typename T>

@@ -53,34 +53,24 @@ inline document::Pose pose(const double (&position)[3], const double (&orientati
 
 // What configs of eyes, of other cameras and of pictures have in common.
 
-constexpr std::uint32_t kLargestPicture = 4096;
-
-// An entry of a config, with the name that messages give it.
+// A number of a config, and its range.
 template <typename T>
-struct Entry {
-  const char* name;
+struct Ranged {
   T value;
+  const ranges::Range<T>& range;
 };
 
-inline void check_view(Entry<std::uint32_t> width, Entry<std::uint32_t> height, Entry<double> fovy) {
-  for (const Entry<std::uint32_t>& size : {width, height}) {
-    require_between(size.value, 1U, kLargestPicture, size.name);
-  }
-  require(fovy.value == 0 || (fovy.value >= 1 && fovy.value <= 170),
-          "{} is {}, expected 1 to 170 degrees, or 0 for the camera's own", fovy.name, fovy.value);
+inline void check_view(Ranged<std::uint32_t> width, Ranged<std::uint32_t> height, Ranged<double> fovy) {
+  in_range(width.value, width.range);
+  in_range(height.value, height.range);
+  in_range_or_zero(fovy.value, fovy.range, " degrees", "the camera's own");
 }
 
-inline double foveation(double strength, const char* name) {
-  require(strength == 0 || (strength >= 0.01 && strength <= 100), "{} is {}, expected 0.01 to 100, or 0 for none", name,
-          strength);
-  return strength;
-}
-
-inline senses::VisionOptions vision(Entry<std::uint32_t> outputs, Entry<std::uint32_t> width,
-                                    Entry<std::uint32_t> height, Entry<double> fovy) {
-  check_bits(outputs.value, header::kVision, outputs.name);
+inline senses::VisionOptions vision(std::uint32_t outputs, const char* name, Ranged<std::uint32_t> width,
+                                    Ranged<std::uint32_t> height, Ranged<double> fovy) {
+  check_bits(outputs, header::kVision, name);
   senses::VisionOptions options;
-  options.wanted = outputs.value;
+  options.wanted = outputs;
   if (options.wanted == 0) return options;
   check_view(width, height, fovy);
   options.width = static_cast<int>(width.value);

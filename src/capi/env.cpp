@@ -27,8 +27,6 @@ render::Quality quality(const mimo_env_config& config) {
   check_bits(config.render, kKnown, "render");
   const auto has = [&](std::uint32_t bit) { return (config.render & bit) != 0; };
   render::require_samples(config.samples);
-  require(config.render_threads >= 1 && config.render_threads <= 64, "render_threads is {}, expected 1 to 64",
-          config.render_threads);
   render::Quality quality;
   quality.shadows = has(MIMO_RENDER_SHADOWS);
   quality.reflections = has(MIMO_RENDER_REFLECTIONS);
@@ -36,7 +34,7 @@ render::Quality quality(const mimo_env_config& config) {
   quality.haze = has(MIMO_RENDER_HAZE);
   quality.fog = has(MIMO_RENDER_FOG);
   quality.samples = static_cast<int>(config.samples);
-  quality.threads = static_cast<int>(config.render_threads);
+  quality.threads = static_cast<int>(in_range(config.render_threads, ranges::env_config::render_threads));
   return quality;
 }
 
@@ -55,9 +53,8 @@ engine::PhysicsOptions physics(const mimo_env_config& config) {
 
 env::EnvOptions env_options(const mimo_env_config& config) {
   env::EnvOptions options;
-  require(config.frame_skip <= env::kMostFrameSkip, "frame_skip is {}, expected 1 to {}, or 0 for the scene's own",
-          config.frame_skip, env::kMostFrameSkip);
-  options.frame_skip = static_cast<int>(config.frame_skip);
+  options.frame_skip =
+      static_cast<int>(in_range_or_zero(config.frame_skip, ranges::env_config::frame_skip, "", "the scene's own"));
   options.physics = physics(config);
   options.renderer = env::renderer_from(text_or(config.renderer, "auto"));
   options.max_steps = config.max_steps;

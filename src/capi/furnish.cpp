@@ -62,7 +62,7 @@ scene::Object object_from(const mimo_object_config& config) {
   require(config.mass >= 0 && std::isfinite(config.mass), "mass is {}, expected kilograms, or 0", config.mass);
   object.mass = config.mass;
   for (int i = 0; i < 4; ++i) {
-    require(config.rgba[i] >= 0 && config.rgba[i] <= 1, "rgba[{}] is {}, expected 0 to 1", i, config.rgba[i]);
+    require_between(config.rgba[i], 0.0, 1.0, format("rgba[{}]", i).c_str());
     object.rgba[static_cast<std::size_t>(i)] = config.rgba[i];
   }
   check_flag(config.fixed, "fixed");

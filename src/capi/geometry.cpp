@@ -59,8 +59,9 @@ void convert_poses(const geometry::Conversion& to, Span<float> poses) {
 }
 
 geometry::Detail detail_of(const mimo_mesh& wanted) {
-  require(wanted.segments >= 4 && wanted.segments <= 256 && wanted.segments % 4 == 0,
-          "mesh: segments is {}, expected a multiple of 4 from 4 to 256", wanted.segments);
+  const auto& [name, low, high] = ranges::mesh::segments;
+  require(ranges::mesh::segments.has(wanted.segments) && wanted.segments % 4 == 0,
+          "mesh: {} is {}, expected a multiple of 4 from {} to {}", name, wanted.segments, low, high);
   require(wanted.plane > 0 && std::isfinite(wanted.plane), "mesh: plane is {}, expected metres above 0", wanted.plane);
   check_reserved(wanted.reserved, "mesh: reserved");
   return {static_cast<int>(wanted.segments), wanted.plane};

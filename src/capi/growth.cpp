@@ -112,8 +112,6 @@ mimo_status mimo_growth_init(mimo_growth* growth, size_t size) noexcept {
 namespace mimo::capi {
 namespace {
 
-constexpr double kMostDelay = 2;  // seconds
-
 mimo_maturity perfect() {
   mimo_maturity maturity{};
   maturity.struct_size = sizeof maturity;
@@ -123,7 +121,7 @@ mimo_maturity perfect() {
 }
 
 mimo_maturity maturity_of(double age) {
-  require(age >= 0 && age <= growth::kOldest, "age is {}, expected 0 to {} months", age, growth::kOldest);
+  in_range(age, ranges::growth::age, " months");
   mimo_maturity maturity = perfect();
   const growth::EyeMaturity eyes = growth::eye_maturity_at(age);
   maturity.acuity = eyes.acuity;
@@ -139,38 +137,25 @@ mimo_maturity maturity_of(double age) {
   return maturity;
 }
 
-double within(double value, double low, double high, const char* name, const char* unit) {
-  require_between(value, low, high, name, unit);
-  return value;
-}
-
-// 0 is off.
-double off_or_within(double value, double low, double high, const char* name, const char* unit) {
-  require(value == 0 || (value >= low && value <= high), "{} is {}, expected {} to {}{}, or 0 for none", name, value,
-          low, high, unit);
-  return value;
-}
-
 observation::Eyesight eyes_from(const mimo_maturity& config) {
   check_flag(config.contrast_threshold, "contrast_threshold");
   observation::Eyesight eyes;
-  eyes.acuity = off_or_within(config.acuity, 0.05, 1000, "acuity", " cycles per degree");
-  eyes.peak_contrast = within(config.peak_contrast, 1.01, 1000, "peak_contrast", "");
-  eyes.chroma = within(config.chroma, 0, 1, "chroma", "");
-  eyes.flicker = off_or_within(config.flicker, 0.01, 1000, "flicker", " Hz");
+  eyes.acuity = in_range_or_zero(config.acuity, ranges::maturity::acuity, " cycles per degree", "none");
+  eyes.peak_contrast = in_range(config.peak_contrast, ranges::maturity::peak_contrast);
+  eyes.chroma = in_range(config.chroma, ranges::maturity::chroma);
+  eyes.flicker = in_range_or_zero(config.flicker, ranges::maturity::flicker, " Hz", "none");
   eyes.threshold = config.contrast_threshold != 0;
   return eyes;
 }
 
 growth::Conduction nerves_from(const mimo_maturity& config) {
-  const auto delay = [](double seconds, const char* name) { return within(seconds, 0, kMostDelay, name, " seconds"); };
   growth::Conduction nerves;
-  nerves.speed = off_or_within(config.conduction_speed, 0.1, 200, "conduction_speed", " m/s");
-  nerves.sensory = delay(config.sensory_delay, "sensory_delay");
-  nerves.motor = delay(config.motor_delay, "motor_delay");
-  nerves.vision = delay(config.vision_delay, "vision_delay");
-  nerves.vestibular = delay(config.vestibular_delay, "vestibular_delay");
-  nerves.hearing = delay(config.hearing_delay, "hearing_delay");
+  nerves.speed = in_range_or_zero(config.conduction_speed, ranges::maturity::conduction_speed, " m/s", "none");
+  nerves.sensory = in_range(config.sensory_delay, ranges::maturity::sensory_delay, " seconds");
+  nerves.motor = in_range(config.motor_delay, ranges::maturity::motor_delay, " seconds");
+  nerves.vision = in_range(config.vision_delay, ranges::maturity::vision_delay, " seconds");
+  nerves.vestibular = in_range(config.vestibular_delay, ranges::maturity::vestibular_delay, " seconds");
+  nerves.hearing = in_range(config.hearing_delay, ranges::maturity::hearing_delay, " seconds");
   return nerves;
 }
 
@@ -210,7 +195,7 @@ mimo_status mimo_scene_set_maturity(mimo_scene* scene, size_t agent, const mimo_
 mimo_status mimo_scene_set_sensory_delay(mimo_scene* scene, size_t agent, const char* body, double seconds) noexcept {
   return guard(scene, [&] {
     blueprint::Blueprint& blueprint = open(scene).blueprint;
-    require_between(seconds, 0.0, kMostDelay, "seconds");
+    in_range(seconds, ranges::maturity::sensory_delay.of("seconds"));
     blueprint.edit([&](blueprint::SceneEdit& edit) {
       note(edit, {{"call", "set_sensory_delay"}, {"agent", agent}, {"body", body}, {"seconds", seconds}});
       if (body == nullptr) return edit.agents.set_sensory_delay(agent, seconds);

@@ -22,15 +22,15 @@ mimo_limits default_limits() {
 
 observation::Limits limits_from(const mimo_limits& config) {
   check_reserved(config.reserved, "reserved");
-  require(config.delay >= 0 && config.delay <= 2, "delay is {}, expected 0 to 2 seconds", config.delay);
+  in_range(config.delay, ranges::limits::delay, " seconds");
   require(config.gain >= 0 && config.gain <= kMost, "gain is {}, expected a factor from 0 to {:.4g}", config.gain,
           kMost);
   require(config.noise >= 0 && config.noise <= kMost, "noise is {}, expected a deviation from 0 to {:.4g}",
           config.noise, kMost);
-  require(config.blur == 0 || (config.blur >= 0.05 && config.blur <= 1000),
-          "blur is {}, expected 0.05 to 1000 cycles per degree, or 0 for none", config.blur);
-  require(config.signal_noise >= 0 && config.signal_noise <= 1000,
-          "signal_noise is {}, expected a share of the value from 0 to 1000", config.signal_noise);
+  in_range_or_zero(config.blur, ranges::limits::blur, " cycles per degree", "none");
+  require(ranges::limits::signal_noise.has(config.signal_noise),
+          "signal_noise is {}, expected a share of the value from 0 to {}", config.signal_noise,
+          ranges::limits::signal_noise.high);
   return {config.gain, config.noise, config.blur, config.delay, config.signal_noise};
 }
 

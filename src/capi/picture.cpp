@@ -43,8 +43,9 @@ blueprint::CameraPlan plan_from(const mimo_camera_config& config) {
   blueprint::CameraPlan plan;
   plan.options.camera = text(config.name);
   require(!plan.options.camera.empty(), "name is empty, expected the name of a camera");
+  using namespace ranges::camera_config;
   plan.options.vision =
-      vision({"outputs", config.outputs}, {"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
+      vision(config.outputs, "outputs", {config.width, width}, {config.height, height}, {config.fovy, fovy});
   check_flag(config.placed, "placed");
   check_reserved(config.reserved, "reserved");
   if (config.placed != 0) plan.placed = stand(config);
@@ -96,8 +97,9 @@ mimo_picture_config default_picture_config() {
 }
 
 void check_picture_config(const mimo_picture_config& config) {
-  check_view({"width", config.width}, {"height", config.height}, {"fovy", config.fovy});
-  foveation(config.foveation, "foveation");
+  using namespace ranges::picture_config;
+  check_view({config.width, width}, {config.height, height}, {config.fovy, fovy});
+  in_range_or_zero(config.foveation, ranges::agent_config::vision_foveation.of("foveation"), "", "none");
   check_bits(config.format, MIMO_PICTURE_RGBA | MIMO_PICTURE_BOTTOM_UP, "format");
   if (config.camera != nullptr) return;
   check_finite(config.look_at, 3, "look_at");

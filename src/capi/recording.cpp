@@ -46,17 +46,12 @@ std::string this_build() {
 recording::Options options_from(const char* path, const mimo_recorder_config& config) {
   recording::Options options;
   options.path = path_from(path);
-  require(config.compression <= 9, "compression is {}, expected 0 to 9", config.compression);
-  require(config.state_seconds >= 0.001 && config.state_seconds <= 1e6,
-          "state_seconds is {}, expected 0.001 to 1000000", config.state_seconds);
-  require(config.flush_seconds >= 0 && config.flush_seconds <= 1e6, "flush_seconds is {}, expected 0 to 1000000",
-          config.flush_seconds);
   check_flag(config.replace, "replace");
   check_reserved(config.reserved, "reserved");
   options.keep = text(config.keep);
-  options.state_seconds = config.state_seconds;
-  options.flush_seconds = config.flush_seconds;
-  options.compression = config.compression;
+  options.compression = in_range(config.compression, ranges::recorder_config::compression);
+  options.state_seconds = in_range(config.state_seconds, ranges::recorder_config::state_seconds);
+  options.flush_seconds = in_range(config.flush_seconds, ranges::recorder_config::flush_seconds);
   options.replace = config.replace != 0;
   options.configuration = text(config.configuration);
   options.seed = std::to_string(config.seed);

@@ -299,7 +299,9 @@ std::string check_fmu(const std::string& path) {
 }
 
 std::string check_segments(const std::string& text) {
-  return CLI::Range(4, 256)(text).empty() && std::stoi(text) % 4 == 0 ? "" : "expected a multiple of 4 from 4 to 256";
+  const auto& range = mimo::ranges::mesh::segments;
+  if (count(range)(text).empty() && std::stoi(text) % 4 == 0) return "";
+  return cli::text("expected a multiple of 4 from %u to %u", range.low, range.high);
 }
 
 }  // namespace

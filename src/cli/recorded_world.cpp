@@ -68,15 +68,15 @@ CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options) {
       ->capture_default_str();
   command.add_option("--state-every", options.state_every, "Simulated time between kept states")
       ->type_name("S")
-      ->check(number(0.001, 1e6))
+      ->check(number(mimo::ranges::recorder_config::state_seconds))
       ->capture_default_str();
   command.add_option("--flush-every", options.flush_every, "Real time after which everything is safe on disk")
       ->type_name("S")
-      ->check(number(0, 1e6))
+      ->check(number(mimo::ranges::recorder_config::flush_seconds))
       ->capture_default_str();
   command.add_option("--compression", options.compression, "0 for none to 9 for the smallest file")
       ->type_name("N")
-      ->check(CLI::Range(0, 9).description(""))
+      ->check(count(mimo::ranges::recorder_config::compression))
       ->capture_default_str();
   command.add_flag("--replace", options.replace, "Replace a whole recording that is there. Default: it is an error");
   return command.add_option("--out", options.out, "The recording")->type_name("FILE.h5");

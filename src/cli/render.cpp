@@ -101,7 +101,7 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
 void add_size_option(CLI::App& command, const std::string& name, std::uint32_t& value) {
   command.add_option(name, value, "Pixels, 1 to 4096")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096).description(""))
+      ->check(count(mimo::ranges::picture_config::width))
       ->capture_default_str();
 }
 

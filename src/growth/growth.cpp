@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "common/ranges.h"
 #include "growth/joints.h"
 #include "growth/original/original.h"
 #include "growth/sizes.h"
@@ -10,11 +11,9 @@
 namespace mimo::growth {
 namespace {
 
-void check_range(const char* name, double value, double least, double most, const char* unit) {
-  require(value >= least && value <= most, "{} is {}, expected {} to {}{}", name, value, least, most, unit);  // or NaN
+void check_range(double value, const ranges::Range<double>& range, const char* unit = "") {
+  require_between(value, range.low, range.high, range.name, unit);
 }
-
-void check_z(const char* name, double z) { check_range(name, z, -kMostZ, kMostZ, " standard deviations"); }
 
 // The original knows nothing of these.
 void check_original(const Growth& growth) {
@@ -35,15 +34,16 @@ void check_original(const Growth& growth) {
 }  // namespace
 
 void check(const Growth& growth) {
-  check_range("age", growth.age, 0, kOldest, " months");
-  check_range("physiological_age", growth.physiological_age, 0, kOldest, " months");
-  check_z("z_length", growth.z_length);
-  check_z("z_weight", growth.z_weight);
-  check_z("z_head", growth.z_head);
-  check_range("strength_exponent", growth.strength_exponent, 0, 5, "");
-  check_range("neck_strength", growth.neck_strength, 0, 10, "");
-  check_range("birth_tone", growth.birth_tone, 0.1, 10, "");
-  check_range("contracture", growth.contracture, 0, 1, "");
+  namespace range = ranges::growth;
+  check_range(growth.age, range::age, " months");
+  check_range(growth.physiological_age, range::physiological_age, " months");
+  check_range(growth.z_length, range::z_length, " standard deviations");
+  check_range(growth.z_weight, range::z_weight, " standard deviations");
+  check_range(growth.z_head, range::z_head, " standard deviations");
+  check_range(growth.strength_exponent, range::strength_exponent);
+  check_range(growth.neck_strength, range::neck_strength);
+  check_range(growth.birth_tone, range::birth_tone);
+  check_range(growth.contracture, range::contracture);
   if (growth.model == Model::kOriginal) check_original(growth);
 }
 

@@ -17,7 +17,6 @@ enum class Sex : std::int32_t { kMean = MIMO_SEX_MEAN, kFemale = MIMO_SEX_FEMALE
 enum class Model : std::int32_t { kWho = MIMO_GROWTH_WHO, kOriginal = MIMO_GROWTH_ORIGINAL };
 
 constexpr double kBaseAge = 18;  // months, of the built-in bodies
-constexpr double kOldest = 24;   // months
 constexpr double kMostZ = 3;
 
 struct Growth {

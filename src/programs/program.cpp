@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "common/nearest.h"
 #include "programs/text.h"
 
 namespace cli {
@@ -40,7 +41,7 @@ std::vector<std::string> commands_of(const CLI::App& program) {
 }
 
 std::string did_you_mean(const std::string& wanted, const std::vector<std::string>& names) {
-  const std::string meant = nearest(wanted, names);
+  const std::string meant = mimo::nearest(wanted, names);
   return meant.empty() ? "" : "; did you mean " + meant + "?";
 }
 

@@ -5,10 +5,8 @@
 #include <cstdarg>
 #include <cstdio>
 #include <locale>
-#include <numeric>
 #include <ostream>
 #include <sstream>
-#include <utility>
 
 namespace cli {
 
@@ -47,38 +45,6 @@ std::string one_line(std::string text) {
     if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
   }
   return text;
-}
-
-namespace {
-
-// How many letters have to be put in, left out or changed.
-std::size_t distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= from.size(); ++i) {
-    std::size_t corner = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= to.size(); ++j) {
-      const std::size_t changed = corner + (from[i - 1] == to[j - 1] ? 0 : 1);
-      corner = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
-    }
-  }
-  return row.back();
-}
-
-}  // namespace
-
-std::string nearest(const std::string& wanted, const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 2;
-  std::string found;
-  std::size_t least = std::min(kMost + 1, wanted.size());
-  for (const std::string& name : names) {
-    const std::size_t apart = distance(wanted, name);
-    if (apart >= least) continue;
-    least = apart;
-    found = name;
-  }
-  return found;
 }
 
 void Table::print(std::ostream& out) const {

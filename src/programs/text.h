@@ -27,9 +27,6 @@ constexpr char kNumberOfFile[] = "a number from -1e12 to 1e12";
 // Another sign in place of each that moves the cursor of a terminal, or colours what follows.
 std::string one_line(std::string text);
 
-// The name that was probably meant: at most two letters are wrong in it. "" if there is none.
-std::string nearest(const std::string& wanted, const std::vector<std::string>& names);
-
 // Rows of cells, printed in columns: the first `left` columns flush left, the others flush right.
 class Table {
  public:

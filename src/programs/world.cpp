@@ -95,18 +95,20 @@ std::uint32_t pixels(const WorldOptions& options) {
 std::string check_vision(const std::string& text) {
   const bool number = !text.empty() && text.size() <= 4 &&
                       std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const bool good = text == "off" || (number && std::stoul(text) >= 1 && std::stoul(text) <= 4096);
-  return good ? "" : "expected 'off' or a number of pixels from 1 to 4096, not '" + text + "'";
+  const auto& range = mimo::ranges::agent_config::vision_width;
+  if (text == "off" || (number && range.has(static_cast<std::uint32_t>(std::stoul(text))))) return "";
+  return cli::text("expected 'off' or a number of pixels from %u to %u, not '%s'", range.low, range.high, text.c_str());
 }
 
-bool is_number(const std::string& text, double low, double high) {
+std::string check_number(const std::string& text, double low, double high, const char* also = "") {
   const std::optional<double> value = finite_number(text);
-  return value && *value >= low && *value <= high;
+  if (value && *value >= low && *value <= high) return "";
+  return cli::text("expected %sa number from %g to %g, not '%s'", also, low, high, text.c_str());
 }
 
 std::string check_touch(const std::string& text) {
-  const bool good = text == "off" || is_number(text, 0.001, 1000);
-  return good ? "" : "expected 'off' or a number from 0.001 to 1000, not '" + text + "'";
+  const auto& range = mimo::ranges::agent_config::touch_scale;
+  return text == "off" ? "" : check_number(text, range.low, range.high, "'off' or ");
 }
 
 // The parser alone would take -1 and make something of it.
@@ -350,11 +352,13 @@ std::size_t steps_in(double seconds, double step) {
 }
 
 CLI::Validator number(double low, double high) {
-  const auto check = [low, high](const std::string& text) {
-    return is_number(text, low, high) ? ""
-                                      : cli::text("expected a number from %g to %g, not '%s'", low, high, text.c_str());
-  };
-  return CLI::Validator(check, "");
+  return CLI::Validator([low, high](const std::string& text) { return check_number(text, low, high); }, "");
+}
+
+CLI::Validator number(const mimo::ranges::Range<double>& range) { return number(range.low, range.high); }
+
+CLI::Validator count(const mimo::ranges::Range<std::uint32_t>& range) {
+  return CLI::Range(static_cast<int>(range.low), static_cast<int>(range.high)).description("");
 }
 
 void add_scene_options(CLI::App& command, WorldOptions& options) {
@@ -421,7 +425,7 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
       ->check(CLI::Validator(check_effects, ""));
   command.add_option("--render-threads", options.render_threads, "Threads that draw one picture, with rays: 1 to 64")
       ->type_name("N")
-      ->check(CLI::Range(1, 64).description(""))
+      ->check(count(mimo::ranges::env_config::render_threads))
       ->capture_default_str();
 }
 

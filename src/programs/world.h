@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "common/ranges.h"
+
 namespace cli {
 
 // How old the infants of a world are.
@@ -58,8 +60,10 @@ std::vector<std::string> parts_of(const std::string& list);
 // How many steps of so many seconds that is, at least one.
 std::size_t steps_in(double seconds, double step);
 
-// Accepts finite numbers of a range; CLI::Range takes "nan" for one.
+// Accept finite numbers of a range; CLI::Range takes "nan" for one.
 CLI::Validator number(double low, double high);
+CLI::Validator number(const mimo::ranges::Range<double>& range);
+CLI::Validator count(const mimo::ranges::Range<std::uint32_t>& range);
 
 constexpr char kUsualVision[] = "256, or off where nothing can draw";
 

@@ -11,6 +11,7 @@
 #include "base/header.h"
 #include "base/numbers.h"
 #include "base/pool.h"
+#include "common/ranges.h"
 #include "rays/frame.h"
 #include "rays/painter.h"
 #include "stage/arrays.h"
@@ -20,7 +21,7 @@
 namespace mimo::stage {
 namespace {
 
-constexpr std::uint32_t kLargest = 16384;
+constexpr std::uint32_t kLargest = ranges::stage_view::width.high;
 constexpr std::uint32_t kAllGroups = 0x3f;
 
 // ---- What views may be --------------------------------------------------------------------------------------
