@@ -1,35 +1,19 @@
 // The functions of FMI 2. Those of model exchange and of derivatives are refused: a world is co-simulated.
 #include <cstdlib>
-#include <cstring>
 
+#include "fmi/calls.h"
 #include "fmi/standard/fmi2Functions.h"
-#include "fmi/unit.h"
 
 namespace {
 
+namespace fmi = cli::fmi;
+using cli::Bytes;
 using cli::RunningUnit;
 using cli::Variable;
 
-struct Component {
-  std::unique_ptr<RunningUnit> unit;
-  double start = 0;  // s, as set up
-};
-
-RunningUnit& unit_of(fmi2Component component) { return *static_cast<Component*>(component)->unit; }
-
-// What happens in here cannot leave as an exception: it is logged, and becomes a status.
 template <typename Work>
 fmi2Status guarded(fmi2Component component, Work work) {
-  if (component == nullptr) return fmi2Error;
-  try {
-    work(unit_of(component));
-    return fmi2OK;
-  } catch (const std::exception& error) {
-    unit_of(component).log(error.what());
-  } catch (...) {
-    unit_of(component).log("an unknown error");
-  }
-  return fmi2Error;
+  return fmi::guarded<fmi2Status>(component, work);
 }
 
 template <typename Work>
@@ -73,33 +57,25 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type kind, fmi2String guid, f
     functions->logger(functions->componentEnvironment, instance.c_str(), fmi2Error, "logStatusError", "%s",
                       message.c_str());
   };
-  try {
-    if (kind != fmi2CoSimulation) throw std::runtime_error("the unit is for co-simulation, not model exchange");
-    auto component = std::make_unique<Component>();
-    component->unit =
-        std::make_unique<RunningUnit>(path_of(resources == nullptr ? "" : resources), guid == nullptr ? "" : guid);
-    component->unit->log = say;
-    return component.release();
-  } catch (const std::exception& error) {
-    say(error.what());
-  } catch (...) {
-    say("an unknown error");
+  if (kind != fmi2CoSimulation) {
+    say("the unit is for co-simulation, not model exchange");
+    return nullptr;
   }
-  return nullptr;
+  return fmi::instantiate([=] { return path_of(resources == nullptr ? "" : resources); }, guid, say);
 }
 
-void fmi2FreeInstance(fmi2Component component) { delete static_cast<Component*>(component); }
+void fmi2FreeInstance(fmi2Component component) { delete static_cast<RunningUnit*>(component); }
 
 fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean, size_t, const fmi2String[]) {
   return guarded(component, [](RunningUnit&) {});  // errors are always logged, and nothing else is
 }
 
 fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean, fmi2Real, fmi2Real start, fmi2Boolean, fmi2Real) {
-  return guarded(component, [&](RunningUnit&) { static_cast<Component*>(component)->start = start; });
+  return guarded(component, [&](RunningUnit& unit) { unit.experiment_start = start; });
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
-  return guarded(component, [&](RunningUnit& unit) { unit.initialize(static_cast<Component*>(component)->start); });
+  return guarded(component, [](RunningUnit& unit) { unit.initialize(unit.experiment_start); });
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
@@ -155,48 +131,27 @@ fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference refe
 }
 
 fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {
-  return guarded(component, [&](RunningUnit& unit) {
-    cli::Bytes bytes = unit.save();
-    if (*state == nullptr) *state = new cli::Bytes;
-    static_cast<cli::Bytes*>(*state)->swap(bytes);
-  });
+  return guarded(component, [&](RunningUnit& unit) { fmi::keep_state(state, unit.save()); });
 }
 
 fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
-  return guarded(component, [&](RunningUnit& unit) {
-    if (state == nullptr) throw std::runtime_error("FMUstate is NULL");
-    unit.load(*static_cast<const cli::Bytes*>(state));
-  });
+  return guarded(component, [&](RunningUnit& unit) { unit.load(fmi::bytes_of(state)); });
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
-  return guarded(component, [&](RunningUnit&) {
-    if (state == nullptr) return;
-    delete static_cast<cli::Bytes*>(*state);
-    *state = nullptr;
-  });
+  return guarded(component, [&](RunningUnit&) { fmi::free_state(state); });
 }
 
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, size_t* size) {
-  return guarded(component, [&](RunningUnit&) { *size = static_cast<const cli::Bytes*>(state)->size(); });
+  return guarded(component, [&](RunningUnit&) { *size = fmi::bytes_of(state).size(); });
 }
 
 fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte bytes[], size_t size) {
-  return guarded(component, [&](RunningUnit&) {
-    const auto& from = *static_cast<const cli::Bytes*>(state);
-    if (size < from.size()) {
-      throw std::runtime_error("size is " + std::to_string(size) + ", expected " + std::to_string(from.size()));
-    }
-    std::memcpy(bytes, from.data(), from.size());
-  });
+  return guarded(component, [&](RunningUnit&) { fmi::write_state(state, bytes, size); });
 }
 
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte bytes[], size_t size, fmi2FMUstate* state) {
-  return guarded(component, [&](RunningUnit&) {
-    auto made = std::make_unique<cli::Bytes>(bytes, bytes + size);
-    if (*state == nullptr) *state = new cli::Bytes;
-    static_cast<cli::Bytes*>(*state)->swap(*made);
-  });
+  return guarded(component, [&](RunningUnit&) { fmi::keep_state(state, Bytes(bytes, bytes + size)); });
 }
 
 // A step is done when its call returns: there is nothing to ask for, and nothing to cancel.

@@ -1,29 +1,18 @@
 // The functions of FMI 3. Those of model exchange, scheduled execution and clocks are refused: a world is co-simulated.
-#include <cstring>
 
+#include "fmi/calls.h"
 #include "fmi/standard/fmi3Functions.h"
-#include "fmi/unit.h"
 
 namespace {
 
+namespace fmi = cli::fmi;
+using cli::Bytes;
 using cli::RunningUnit;
 using cli::Variable;
 
-RunningUnit& unit_of(fmi3Instance instance) { return *static_cast<RunningUnit*>(instance); }
-
-// What happens in here cannot leave as an exception: it is logged, and becomes a status.
 template <typename Work>
 fmi3Status guarded(fmi3Instance instance, Work work) {
-  if (instance == nullptr) return fmi3Error;
-  try {
-    work(unit_of(instance));
-    return fmi3OK;
-  } catch (const std::exception& error) {
-    unit_of(instance).log(error.what());
-  } catch (...) {
-    unit_of(instance).log("an unknown error");
-  }
-  return fmi3Error;
+  return fmi::guarded<fmi3Status>(instance, work);
 }
 
 fmi3Status refused(fmi3Instance instance, const char* name) {
@@ -78,18 +67,12 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token, fmi3Strin
   const auto say = [=](const std::string& message) {
     if (log != nullptr) log(environment, fmi3Error, "logStatusError", message.c_str());
   };
-  try {
-    std::string folder = resources == nullptr ? "" : resources;
-    while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
-    auto unit = std::make_unique<RunningUnit>(folder, token == nullptr ? "" : token);
-    unit->log = say;
-    return unit.release();
-  } catch (const std::exception& error) {
-    say(error.what());
-  } catch (...) {
-    say("an unknown error");
-  }
-  return nullptr;
+  const auto folder = [=] {
+    std::string path = resources == nullptr ? "" : resources;
+    while (path.size() > 1 && path.back() == '/') path.pop_back();
+    return path;
+  };
+  return fmi::instantiate(folder, token, say);
 }
 
 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
@@ -223,48 +206,27 @@ fmi3Status fmi3SetBinary(fmi3Instance instance, const fmi3ValueReference[], size
 }
 
 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState* state) {
-  return guarded(instance, [&](RunningUnit& unit) {
-    cli::Bytes bytes = unit.save();
-    if (*state == nullptr) *state = new cli::Bytes;
-    static_cast<cli::Bytes*>(*state)->swap(bytes);
-  });
+  return guarded(instance, [&](RunningUnit& unit) { fmi::keep_state(state, unit.save()); });
 }
 
 fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState state) {
-  return guarded(instance, [&](RunningUnit& unit) {
-    if (state == nullptr) throw std::runtime_error("FMUState is NULL");
-    unit.load(*static_cast<const cli::Bytes*>(state));
-  });
+  return guarded(instance, [&](RunningUnit& unit) { unit.load(fmi::bytes_of(state)); });
 }
 
 fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* state) {
-  return guarded(instance, [&](RunningUnit&) {
-    if (state == nullptr) return;
-    delete static_cast<cli::Bytes*>(*state);
-    *state = nullptr;
-  });
+  return guarded(instance, [&](RunningUnit&) { fmi::free_state(state); });
 }
 
 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState state, size_t* size) {
-  return guarded(instance, [&](RunningUnit&) { *size = static_cast<const cli::Bytes*>(state)->size(); });
+  return guarded(instance, [&](RunningUnit&) { *size = fmi::bytes_of(state).size(); });
 }
 
 fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState state, fmi3Byte bytes[], size_t size) {
-  return guarded(instance, [&](RunningUnit&) {
-    const auto& from = *static_cast<const cli::Bytes*>(state);
-    if (size < from.size()) {
-      throw std::runtime_error("size is " + std::to_string(size) + ", expected " + std::to_string(from.size()));
-    }
-    std::memcpy(bytes, from.data(), from.size());
-  });
+  return guarded(instance, [&](RunningUnit&) { fmi::write_state(state, bytes, size); });
 }
 
 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance, const fmi3Byte bytes[], size_t size, fmi3FMUState* state) {
-  return guarded(instance, [&](RunningUnit&) {
-    auto made = std::make_unique<cli::Bytes>(bytes, bytes + size);
-    if (*state == nullptr) *state = new cli::Bytes;
-    static_cast<cli::Bytes*>(*state)->swap(*made);
-  });
+  return guarded(instance, [&](RunningUnit&) { fmi::keep_state(state, Bytes(bytes, bytes + size)); });
 }
 
 // What else the standard has, for importers that look for every function.

@@ -39,6 +39,8 @@ class RunningUnit {
   Bytes save() const;
   void load(const Bytes& state);
 
+  double experiment_start = 0;  // s, as FMI 2 sets it up before the unit is initialized
+
   // What a function of FMI does with its error.
   std::function<void(const std::string&)> log;
 
