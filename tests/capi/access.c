@@ -3,7 +3,7 @@
 
 static mimo_env* env;
 
-static void check_names(void) {
+static void check_finding_by_name(void) {
   static const struct {
     int32_t kind;
     size_t count;
@@ -126,7 +126,7 @@ static void check_quantities(void) {
 }
 
 /* Each in the other's place is refused by name, whichever function it is given to. */
-static void check_mistakes(void) {
+static void check_wrong_calls(void) {
   const mimo_layout* layout = NULL;
   const int32_t first = 0;
   size_t count = 77;
@@ -161,7 +161,7 @@ static void check_mistakes(void) {
 }
 
 /* A quantity's kind can be read off its number. */
-static void check_numbers(void) {
+static void check_that_numbers_tell_the_kind(void) {
   CHECK(MIMO_BODY_POSITION >> 8 == MIMO_BODY && MIMO_BODY_NERVE_LENGTH >> 8 == MIMO_BODY);
   CHECK(MIMO_JOINT_POSITION >> 8 == MIMO_JOINT && MIMO_GEOM_COLOR >> 8 == MIMO_GEOM);
   CHECK(MIMO_SITE_POSE >> 8 == MIMO_SITE && MIMO_CAMERA_POSE >> 8 == MIMO_CAMERA);
@@ -172,7 +172,7 @@ static void check_numbers(void) {
 }
 
 /* NULL means all, of whatever there are. */
-static void check_all(void) {
+static void check_that_null_means_all(void) {
   double all[26], one;
   size_t count = 0, i;
   CHECK_OK(mimo_env_width(env, MIMO_BODY_MASS, NULL, 0, &count));
@@ -262,11 +262,11 @@ static void check_contacts(void) {
 
 int main(void) {
   env = blind_env("benchmark", NULL);
-  check_names();
+  check_finding_by_name();
   check_quantities();
-  check_mistakes();
-  check_numbers();
-  check_all();
+  check_wrong_calls();
+  check_that_numbers_tell_the_kind();
+  check_that_null_means_all();
   check_writing();
   check_contacts();
   mimo_env_destroy(env);

@@ -93,7 +93,7 @@ static int same(const course* a, const course* b) {
   } while (0)
 
 /* A life: to six months and back, each time like a world that was made so. */
-static void check_career(void) {
+static void check_that_a_world_ages_and_rejuvenates(void) {
   const mimo_growth six = aged(6), eighteen = aged(18);
   mimo_env *env = env_of(scene_with(NULL)), *young = env_of(scene_with(&six)), *usual = env_of(scene_with(NULL));
   const double mass = mass_of(env);
@@ -124,7 +124,7 @@ static void check_career(void) {
 }
 
 /* The block of the reset is the new world's. Without a seed, random numbers and the noise of episodes go on. */
-static void check_random_numbers(void) {
+static void check_that_random_numbers_go_on(void) {
   const mimo_growth six = aged(6);
   mimo_env *env = env_of(scene_with(NULL)), *young = env_of(scene_with(&six));
   const size_t bytes = sizes_of(env).block_bytes;
@@ -142,7 +142,7 @@ static void check_random_numbers(void) {
 }
 
 /* Gravity and faces stay. What belonged to the other body is as in a new world. */
-static void check_what_stays(void) {
+static void check_what_a_new_age_keeps(void) {
   const mimo_growth six = aged(6);
   const double moon[3] = {0, 0, -1.62}, sad = 2, heavy = 9, hue[4] = {1, 0, 0, 1};
   mimo_env *env = env_of(scene_with(NULL)), *young = env_of(scene_with(&six));
@@ -195,7 +195,7 @@ static void check_unchanged(mimo_env* env, mimo_status status, const char* part,
   free(after);
 }
 
-static void check_refusals(void) {
+static void check_refused_ages(void) {
   const mimo_growth old = aged(24.5), six = aged(6);
   mimo_growth heavy = aged(6), newer = aged(6);
   mimo_env* env = env_of(scene_with(NULL));
@@ -214,7 +214,7 @@ static void check_refusals(void) {
 }
 
 /* A task of the user's own sees the new world while it is reset; where it refuses that, the old one is back. */
-static void check_own_task(void) {
+static void check_that_own_tasks_see_the_new_world(void) {
   const mimo_growth six = aged(6), twenty = aged(20);
   mimo_scene* scene = scene_with(NULL);
   mimo_task task;
@@ -235,7 +235,7 @@ static void check_own_task(void) {
 }
 
 /* A newborn's nerves remember more than a toddler's: states of one batch differ in size, each in a row of its own. */
-static void check_states_of_a_cohort(void) {
+static void check_states_of_different_sizes(void) {
   mimo_growth toddler = aged(24), newborn = aged(0);
   const mimo_growth* const cohort[] = {&toddler, &newborn};
   const uint8_t second[] = {0, 1};
@@ -299,7 +299,7 @@ static void check_states_of_a_cohort(void) {
   free(later);
 }
 
-static void check_not_infants(void) {
+static void check_other_agents_beside_infants(void) {
   const mimo_growth six = aged(6);
   const int32_t both[2] = {0, 1};
   double ages[2] = {0, 0};
@@ -328,7 +328,7 @@ static void check_not_infants(void) {
   mimo_env_destroy(env);
 }
 
-static void check_twins(void) {
+static void check_two_infants_of_different_ages(void) {
   const mimo_growth two = aged(2), twenty = aged(20);
   const int32_t both[2] = {0, 1};
   double ages[2];
@@ -358,7 +358,7 @@ static void read_receptors(const mimo_env* env, double* places, size_t count) {
 }
 
 /* The layout is the same to the pointers; receptors are where they are on the new body. */
-static void check_layout(void) {
+static void check_that_the_layout_stays(void) {
   const mimo_growth six = aged(6);
   mimo_env *env = env_of(scene_with(NULL)), *young = env_of(scene_with(&six));
   const mimo_layout* before = layout_of(env);
@@ -378,7 +378,7 @@ static void check_layout(void) {
   mimo_env_destroy(env);
 }
 
-static void check_states(void) {
+static void check_states_across_ages(void) {
   const mimo_growth six = aged(6), eighteen = aged(18);
   mimo_env *env = env_of(scene_with(NULL)), *twin = NULL;
   course ran = run(env);
@@ -429,7 +429,7 @@ static void check_ages(const mimo_batch* batch, const double (*expected)[WORLDS]
 }
 
 /* World i does what a single world of its age does. */
-static void check_cohort(void) {
+static void check_that_worlds_of_a_cohort_equal_single_ones(void) {
   const mimo_growth three = aged(3), twenty = aged(20);
   const mimo_growth* const cohort[] = {&three, NULL, &twenty};
   const uint64_t seeds[WORLDS] = {0, 1, 2, 3, 4, 5};
@@ -449,7 +449,7 @@ static void check_cohort(void) {
 }
 
 /* Views are of the world that is there; whoever ends an episode keeps the age. */
-static void check_batch_resets(void) {
+static void check_new_ages_within_a_batch(void) {
   const mimo_growth three = aged(3), twenty = aged(20), none = aged(-1);
   const mimo_growth* becoming[WORLDS] = {&three, NULL, &three, &twenty, &twenty, NULL};
   const uint8_t mask[WORLDS] = {1, 1, 0, 1, 1, 1};
@@ -482,7 +482,7 @@ static void check_batch_resets(void) {
   mimo_batch_destroy(batch);
 }
 
-static void check_cohort_refusals(void) {
+static void check_refused_cohorts(void) {
   const mimo_growth six = aged(6), old = aged(25);
   const mimo_growth *const cohort[] = {&six, &six, &six}, *const wrong[] = {&six, &old};
   mimo_scene* scene = scene_with(NULL);
@@ -504,7 +504,7 @@ static void check_cohort_refusals(void) {
 }
 
 /* A world's mass can be set at any age, and its state fits a world that was made at that age. */
-static void check_every_world(void) {
+static void check_writing_and_states_at_any_age(void) {
   const mimo_growth three = aged(3), twenty = aged(20);
   const mimo_growth* const cohort[] = {&three, NULL, &twenty};
   mimo_batch* batch = batch_of(scene_with(NULL), cohort, 3, 0);
@@ -528,7 +528,7 @@ static void check_every_world(void) {
 }
 
 /* A batch's bounds are wide enough for all: an action is where a joint goes, and newborns do not reach as far. */
-static void check_bounds(void) {
+static void check_that_bounds_hold_for_all_ages(void) {
   const mimo_growth born = aged(0), two = aged(24);
   const mimo_growth* const cohort[] = {&two, &born};
   mimo_scene* scene = NULL;
@@ -554,7 +554,7 @@ static void check_bounds(void) {
 }
 
 /* As many ages as nobody keeps models for. */
-static void check_many_ages(void) {
+static void check_more_ages_than_models_are_kept(void) {
   mimo_env* env = env_of(scene_with(NULL));
   double month;
   for (month = 0; month <= 24; month += 2) {
@@ -567,21 +567,21 @@ static void check_many_ages(void) {
 }
 
 int main(void) {
-  check_career();
-  check_random_numbers();
-  check_what_stays();
-  check_refusals();
-  check_own_task();
-  check_states_of_a_cohort();
-  check_not_infants();
-  check_twins();
-  check_layout();
-  check_states();
-  check_cohort();
-  check_batch_resets();
-  check_cohort_refusals();
-  check_every_world();
-  check_bounds();
-  check_many_ages();
+  check_that_a_world_ages_and_rejuvenates();
+  check_that_random_numbers_go_on();
+  check_what_a_new_age_keeps();
+  check_refused_ages();
+  check_that_own_tasks_see_the_new_world();
+  check_states_of_different_sizes();
+  check_other_agents_beside_infants();
+  check_two_infants_of_different_ages();
+  check_that_the_layout_stays();
+  check_states_across_ages();
+  check_that_worlds_of_a_cohort_equal_single_ones();
+  check_new_ages_within_a_batch();
+  check_refused_cohorts();
+  check_writing_and_states_at_any_age();
+  check_that_bounds_hold_for_all_ages();
+  check_more_ages_than_models_are_kept();
   return failures();
 }

@@ -1,4 +1,4 @@
-/* Batches, as seen from outside: arguments, views of worlds, handles. What they compute is tested in unit/batch. */
+/* Batches: arguments, views of worlds, handles. Unit tests check what batches compute. */
 #include <pthread.h>
 
 #include "support/capi.h"
@@ -24,7 +24,7 @@ static mimo_batch* make(int32_t autoreset, uint32_t max_steps) {
   return batch;
 }
 
-static void check_making(void) {
+static void check_batch_configs(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_batch_config config;
   mimo_batch* batch = NULL;
@@ -240,7 +240,7 @@ static void* use_one(void* unused) {
   return unused;
 }
 
-static void check_side_by_side(void) {
+static void check_two_batches_on_two_threads(void) {
   pthread_t threads[2];
   int i;
   for (i = 0; i < 2; ++i) CHECK(pthread_create(&threads[i], NULL, use_one, NULL) == 0);
@@ -251,14 +251,14 @@ int main(void) {
   mimo_batch* batch;
   mimo_env* view = NULL;
   double time;
-  check_making();
+  check_batch_configs();
   batch = make(MIMO_AUTORESET_NONE, 0);
   check_views(batch);
   check_arguments(batch);
   check_states(batch);
   check_sending(batch);
   check_failures(batch);
-  check_side_by_side();
+  check_two_batches_on_two_threads();
   CHECK_OK(mimo_batch_world(batch, 0, &view));
   CHECK_OK(mimo_batch_send(batch, NULL, 0, NULL, 0, NULL));
   mimo_batch_destroy(batch); /* waits */

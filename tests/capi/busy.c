@@ -1,4 +1,4 @@
-/* Two threads on one handle: one of them works, the other is told so. Nothing else happens, and no call is disturbed.
+/* Two threads on one handle: one works, the other gets MIMO_E_BUSY. Neither call is disturbed.
  */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
@@ -59,7 +59,7 @@ static void* step_often(void* argument) {
   return NULL;
 }
 
-static void check_hammering(void) {
+static void check_that_refused_calls_change_nothing(void) {
   static double state[MOST], expected[MOST];
   mimo_env *env = blind_env("free", NULL), *alone = blind_env("free", NULL);
   int met = 0;
@@ -157,7 +157,7 @@ static void end(pthread_t thread, const job* it, gate* user) {
 
 #define IN_USE(what, call) CHECK_FAILS(MIMO_E_BUSY, what " is in use by another thread", call)
 
-static void check_world(void) {
+static void check_a_stepping_world(void) {
   gate user = {0, 0, NULL, {0}};
   mimo_scene* scene = waiting_scene(&user);
   mimo_env *env = NULL, *other = NULL;
@@ -189,7 +189,7 @@ static void check_world(void) {
 }
 
 /* Who destroys what another thread uses takes it from everybody at once; it goes when that call returns. */
-static void check_destroy(void) {
+static void check_destroying_what_steps(void) {
   gate user = {0, 0, NULL, {0}};
   mimo_scene* scene = waiting_scene(&user);
   mimo_env* env = NULL;
@@ -214,7 +214,7 @@ static void check_destroy(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_batch(void) {
+static void check_a_stepping_batch(void) {
   gate user = {0, 0, NULL, {0}};
   mimo_scene* scene = waiting_scene(&user);
   mimo_batch_config config;
@@ -273,7 +273,7 @@ static void* create_worlds(void* argument) {
   return NULL;
 }
 
-static void check_scene(void) {
+static void check_scenes_on_two_threads(void) {
   mimo_scene* scene = blind_scene("free");
   pthread_t thread, reader;
   void *failed = NULL, *also = NULL;
@@ -311,7 +311,7 @@ static void hear(void* user, const mimo_log_record* record) {
   mimo_env_destroy(it->env); /* does nothing now */
 }
 
-static void check_log(void) {
+static void check_calls_from_a_log_callback(void) {
   listener user = {NULL, 1, 1, ""};
   mimo_scene_config room;
   mimo_scene* scene = NULL;
@@ -389,12 +389,12 @@ static void check_recordings(const char* folder) {
 }
 
 int main(void) {
-  check_hammering();
-  check_world();
-  check_destroy();
-  check_batch();
-  check_scene();
-  check_log();
+  check_that_refused_calls_change_nothing();
+  check_a_stepping_world();
+  check_destroying_what_steps();
+  check_a_stepping_batch();
+  check_scenes_on_two_threads();
+  check_calls_from_a_log_callback();
   check_recordings(".");
   return failures();
 }

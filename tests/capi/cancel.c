@@ -1,4 +1,4 @@
-/* A thread that is cancelled within a call finishes the call first, callbacks included, and goes at its next
+/* A thread that is cancelled within a call finishes the call first, callbacks included, and ends at its next
  * cancellation point. */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>

@@ -1,5 +1,5 @@
 /* Worlds of one batch that several threads draw and step at the same time: each thread its own world, between the
- * batch's own calls; and a task that draws a world of another batch. What they see is what one thread alone sees. */
+ * batch's own calls; and a task that draws a world of another batch. They get what one thread alone gets. */
 #include <pthread.h>
 
 #include "support/capi.h"

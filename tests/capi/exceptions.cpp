@@ -1,4 +1,4 @@
-// A C++ host whose tasks let exceptions out: an error of that world, in a batch as in a single one.
+// A C++ host whose tasks throw exceptions: these become errors of that world, in a batch as in a single world.
 #include <cmath>
 #include <stdexcept>
 

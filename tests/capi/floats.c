@@ -1,5 +1,5 @@
-/* A host that calculates in its own way, with traps, another rounding, or without denormals: it gets the bytes that
- * every host gets, no signal, and its own way back. */
+/* A host whose threads calculate with traps, another rounding, or without denormals: it gets the same bytes as every
+ * host, no signal, and finds its settings unchanged. */
 #define _GNU_SOURCE /* feenableexcept */
 #include <fenv.h>
 

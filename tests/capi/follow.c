@@ -1,4 +1,4 @@
-/* Movements that are known: what senses say, and which forces they take, compared with falling, with hanging still, and
+/* mimo_env_follow: the senses and forces of known movements, compared with a fall, with an infant that hangs still, and
  * with a simulated run whose joint positions are followed. */
 #include <math.h>
 

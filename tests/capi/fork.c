@@ -1,6 +1,6 @@
-/* A handle made before fork() answers MIMO_E_FORKED in the child, which can make its own; the parent goes on. So it is
- * while another thread uses the library for the first time or compiles a model, and the child of a process that has
- * drawn with OSMesa ends as it wants to. */
+/* A handle made before fork() answers MIMO_E_FORKED in the child, which can make its own; the parent goes on. This
+ * holds while another thread uses the library for the first time or compiles a model. The child of a process that has
+ * drawn with OSMesa ends with its own exit code. */
 #define _POSIX_C_SOURCE 200809L
 #include <pthread.h>
 #include <sys/wait.h>
@@ -31,7 +31,7 @@ static void in_the_child(mimo_scene* scene, mimo_env* env) {
   mimo_env_destroy(own);
 }
 
-static void check_handles(void) {
+static void check_handles_in_a_child(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_env* env = blind_env("free", NULL);
   const pid_t child = fork();
@@ -60,7 +60,7 @@ static void nap(long microseconds) {
 }
 
 /* For newer versions of MuJoCo: reading it needs all that the library knows of documents. */
-static void read_a_document(void) {
+static void read_a_newer_document(void) {
   mimo_scene_config config;
   mimo_scene* scene = NULL;
   CHECK_OK(mimo_scene_config_init(&config, sizeof config));
@@ -72,7 +72,7 @@ static void read_a_document(void) {
 }
 
 static void* read_on_a_thread(void* unused) {
-  read_a_document();
+  read_a_newer_document();
   return unused;
 }
 
@@ -86,14 +86,14 @@ static void fork_at_first_use(long microseconds) {
   child = fork();
   if (child == 0) {
     alarm(20);
-    read_a_document();
+    read_a_newer_document();
     _exit(failures());
   }
   CHECK(status_of(child) == 0);
   CHECK(pthread_join(reader, NULL) == 0);
 }
 
-static void check_first_use(void) {
+static void check_forks_during_first_use(void) {
   enum { TRIES = 60, STEP = 50 };
   int i;
   if (!MALLOC_SURVIVES_FORK) return;
@@ -113,7 +113,7 @@ static void* make_worlds(void* unused) {
   return unused;
 }
 
-static void check_while_compiling(void) {
+static void check_forks_while_compiling(void) {
   enum { CHILDREN = 8 };
   pid_t children[CHILDREN];
   pthread_t maker;
@@ -133,7 +133,7 @@ static void check_while_compiling(void) {
 }
 
 /* A batch has threads, which the child has not. */
-static void check_batch(void) {
+static void check_a_batch_in_a_child(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_batch_config config;
   mimo_batch* batch = NULL;
@@ -206,10 +206,10 @@ static void check_exit_after_osmesa(void) {
 }
 
 int main(void) {
-  check_first_use(); /* which is over with the next check */
-  check_handles();
-  check_batch();
-  check_while_compiling();
+  check_forks_during_first_use(); /* which is over with the next check */
+  check_handles_in_a_child();
+  check_a_batch_in_a_child();
+  check_forks_while_compiling();
   check_exit_after_osmesa();
   return failures();
 }

@@ -1,5 +1,5 @@
-/* Shapes, materials, textures, lights and poses for engines. Where triangles lie is tested in unit/; here is how one
- * asks.
+/* Shapes, materials, textures, lights and poses for engines. Unit tests check where triangles lie; these test
+ * the calls.
  */
 #include "support/capi.h"
 
@@ -169,7 +169,7 @@ static uint8_t* read_texture(const mimo_env* env, int32_t id, mimo_texture* text
   return texture->pixels;
 }
 
-static void check_faces(void) {
+static void check_textures_of_faces(void) {
   mimo_env* env = blind_env("benchmark", NULL);
   const mimo_appearance before = material_of(env, "head");
   const double joy = find(env, MIMO_FACE, "enjoyment");
@@ -365,7 +365,7 @@ int main(void) {
   check_meshes("mitten");
   check_meshes("fingers");
   check_poses();
-  check_faces();
+  check_textures_of_faces();
   check_textures(room);
   check_lights(room);
   check_details(room);

@@ -1,5 +1,5 @@
 /* The renderer gl draws what the renderer osmesa draws: Mesa's EGL and Mesa's OSMesa, each in a process of its own,
- * because MuJoCo keeps to the first OpenGL that it draws with. And the second one is refused. */
+ * because MuJoCo uses the first OpenGL that it finds for ever. A second one in the same process is refused. */
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -262,7 +262,7 @@ static double head_of(const mimo_growth* growth) {
 }
 
 /* 97.725 of 100 are below two standard deviations. L of the standard for heads is 1: they are apart equally. */
-static void percentiles_and_heads(void) {
+static void percentiles_agree_with_z_scores(void) {
   mimo_growth growth = age_of(6), high = growth, low = growth;
   growth.z_length = growth.z_weight = growth.z_head = 2;
   high.percentile = 97.72498680518208;
@@ -301,14 +301,14 @@ static void nerves_mature_where_they_are_asked_to(void) {
 }
 
 /* By the original's rules another body, except at 18 months. */
-static void models_differ(void) {
+static void who_and_original_differ(void) {
   mimo_growth growth = age_of(6);
   const double by_who = height_of(&growth);
   growth.model = MIMO_GROWTH_ORIGINAL;
   CHECK(fabs(height_of(&growth) - by_who) > 0.001);
 }
 
-static void siblings(void) {
+static void siblings_have_different_ages(void) {
   const mimo_growth young = age_of(2), old = age_of(20);
   mimo_scene* scene = scene_of("playdate");
   mimo_env *env = NULL, *alone = env_of("free", "mitten", &young);
@@ -323,7 +323,7 @@ static void siblings(void) {
 }
 
 /* An infant that the document brings along grows as well. */
-static void of_the_document(void) {
+static void infants_of_the_document_grow(void) {
   mimo_growth growth = age_of(3);
   mimo_env *alone = env_of("free", "mitten", &growth), *env = NULL;
   mimo_scene_config config;
@@ -341,7 +341,7 @@ static void of_the_document(void) {
   mimo_env_destroy(env);
 }
 
-static void refused(void) {
+static void growth_out_of_range_is_refused(void) {
   mimo_growth growth = age_of(0);
   mimo_scene* scene = scene_of("free");
   growth.z_length = -3;
@@ -371,12 +371,12 @@ int main(void) {
   the_neck_has_a_strength_of_its_own();
   a_newborn_s_tone_is_a_factor();
   contracture_is_a_share();
-  percentiles_and_heads();
+  percentiles_agree_with_z_scores();
   sensors_keep_their_number_or_spacing();
   nerves_mature_where_they_are_asked_to();
-  models_differ();
-  siblings();
-  of_the_document();
-  refused();
+  who_and_original_differ();
+  siblings_have_different_ages();
+  infants_of_the_document_grow();
+  growth_out_of_range_is_refused();
   return failures();
 }

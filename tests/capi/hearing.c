@@ -1,4 +1,4 @@
-/* Hearing, as a user asks for it. */
+/* Hearing: the field and its times, sounds that bodies play, cries. */
 #include <math.h>
 
 #include "support/capi.h"

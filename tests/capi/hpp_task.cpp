@@ -1,4 +1,4 @@
-// Tasks of one's own through mimo.hpp: what is declared is there, what is thrown is told.
+// Own tasks by mimo.hpp: what they declare is in the layout, and what they throw is in the message.
 #include <cmath>
 
 #include "mimo/mimo.hpp"

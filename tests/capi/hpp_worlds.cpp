@@ -1,5 +1,4 @@
-// mimo.hpp: what worlds tell, in types of C++. Numbers are those of the scenes below, of models/mitten.xml and of
-// physics.
+// mimo.hpp: reading worlds in types of C++. The numbers come from the scenes below, models/mitten.xml and physics.
 #include <cmath>
 #include <cstring>
 #include <mimo/mimo.hpp>

@@ -1,4 +1,4 @@
-/* Several infants in one scene: each is for itself what it would be alone, and all see and feel each other. */
+/* Several infants in one scene: each behaves as it would alone, and they see and feel each other. */
 #include "support/capi.h"
 
 enum { TEN = 10, JOINTS = 47, MOTORS = 44, SIZE = 33, PIXELS = SIZE * SIZE };
@@ -68,7 +68,7 @@ static mimo_env* placed(int32_t place, double x, double y, double z, const doubl
   return env_of(scene);
 }
 
-static void check_places(void) {
+static void check_where_infants_are_placed(void) {
   static const double on_its_back[4] = {0.70710678118654752, 0, -0.70710678118654752, 0};
   const char* feet[2] = {"left_foot", "right_foot"};
   double left[3], right[3], root[3];
@@ -138,7 +138,7 @@ static double farthest(const mimo_env* one, const int32_t* ones, const mimo_env*
 }
 
 /* They fall to the floor ten metres apart. One solver works for both, so it is not the same to the bit. */
-static void check_apart(void) {
+static void check_that_distant_infants_equal_single_ones(void) {
   static const char* const names[2] = {"anna", "ben"};
   static const char* const prefixes[2] = {"anna/", "ben/"};
   mimo_scene* both = room("free", NULL);
@@ -183,7 +183,7 @@ static mimo_status judge(void* user, mimo_env* env, const mimo_task_moment* mome
   return MIMO_OK;
 }
 
-static void check_own(void) {
+static void check_what_each_infant_has_of_its_own(void) {
   mimo_scene* scene = room("playdate", NULL);
   mimo_task task;
   mimo_agent_config config;
@@ -269,7 +269,7 @@ static double height_and_place(const mimo_env* env, const char* infant, double* 
 }
 
 /* Whatever head and arms do for five seconds, they stay seated; and the toy is within reach of both. */
-static void check_seated(void) {
+static void check_that_seated_infants_stay_seated(void) {
   static const char* const prefixes[2] = {"anna/", "ben/"};
   mimo_env* env = NULL;
   mimo_scene* scene = room("playdate", NULL);
@@ -307,7 +307,7 @@ static void check_seated(void) {
 }
 
 /* The same bytes for any number of threads, all senses on. */
-static void check_threads(void) {
+static void check_that_threads_change_nothing(void) {
   enum { WORLDS = 4, STEPS = 10 };
   unsigned char* blocks[3] = {NULL, NULL, NULL};
   float actions[WORLDS * 50];
@@ -476,7 +476,7 @@ static void check_ten_see(mimo_env* env) {
 }
 
 /* What docs/tasks.md says of scenes: motors, and senses besides proprioception. */
-static void check_defaults(void) {
+static void check_the_defaults_of_scenes(void) {
   static const struct row {
     const char *scene, *body;
     size_t actions;
@@ -505,13 +505,13 @@ static void check_defaults(void) {
 }
 
 int main(void) {
-  check_defaults();
-  check_places();
+  check_the_defaults_of_scenes();
+  check_where_infants_are_placed();
   mimo_env* ten;
-  check_apart();
-  check_own();
-  check_seated();
-  check_threads();
+  check_that_distant_infants_equal_single_ones();
+  check_what_each_infant_has_of_its_own();
+  check_that_seated_infants_stay_seated();
+  check_that_threads_change_nothing();
   ten = ten_infants();
   check_ten_run(ten);
   check_ten_see(ten);

@@ -1,4 +1,4 @@
-/* The layout: when fields are true, whose actions and terms there are, and that it may be asked at any time. */
+/* The layout: the times of fields, the agents of actions and terms, and that threads may read it at any time. */
 #include "support/capi.h"
 
 /* What was asked of a layout while its batch was at work. */
@@ -20,7 +20,7 @@ static mimo_status ask(void* user, mimo_env* env, const mimo_task_moment* moment
 }
 
 /* A delay is kept in whole time steps: 32 ms are six of 5 ms. */
-static void check_times(void) {
+static void check_when_fields_are_true(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_env* env = NULL;
   mimo_limits late;
@@ -50,7 +50,7 @@ static void check_times(void) {
 
 /* Anna's actions are angles, Ben's shares; the lower of the two joints that bend the hip goes from -17 to 30.5
  * degrees, as in the original's model. */
-static void check_actions(void) {
+static void check_descriptions_of_actions(void) {
   mimo_scene_config room;
   mimo_agent_config infant;
   mimo_scene* scene = NULL;
@@ -86,7 +86,7 @@ static void check_actions(void) {
 }
 
 /* All worlds answer with the batch's layout, also from within a task; and so does it while they are at work. */
-static void check_batch(void) {
+static void check_the_layout_of_a_batch(void) {
   asked it = {NULL, 0, 0};
   mimo_scene* scene = blind_scene("free");
   mimo_batch_config config;
@@ -128,7 +128,7 @@ static void check_batch(void) {
 }
 
 /* A clone has a layout of its own, which outlives that of the original. */
-static void check_clone(void) {
+static void check_the_layout_of_a_clone(void) {
   mimo_env *env = blind_env("free", NULL), *twin = NULL;
   CHECK_OK(mimo_env_clone(env, &twin));
   CHECK(layout_of(twin) != layout_of(env));
@@ -168,9 +168,9 @@ static void check_step_seconds(void) {
 
 int main(void) {
   check_step_seconds();
-  check_times();
-  check_actions();
-  check_batch();
-  check_clone();
+  check_when_fields_are_true();
+  check_descriptions_of_actions();
+  check_the_layout_of_a_batch();
+  check_the_layout_of_a_clone();
   return failures();
 }

@@ -1,4 +1,4 @@
-/* One thread asks a layout while another resets the world between two ages: each answer is that of one age, whole. */
+/* One thread reads a layout while another resets the world between two ages: each answer belongs to one age wholly. */
 #include <pthread.h>
 
 #include "support/capi.h"

@@ -1,4 +1,4 @@
-/* Eyes and nerves as old as the infant, as a user asks for them. Numbers are those of docs/guide/maturity.md. */
+/* Eyes and nerves as old as the infant. Numbers are those of docs/guide/maturity.md. */
 #include "support/capi.h"
 
 static mimo_env* world(uint32_t maturity, const mimo_maturity* numbers, const mimo_limits* touch) {

@@ -1,4 +1,4 @@
-/* Messages: of tasks, by handle, in UTF-8. */
+/* Messages of errors: by tasks, by handle, of one line, in UTF-8. */
 #include <pthread.h>
 
 #include "support/capi.h"
@@ -34,7 +34,7 @@ static mimo_scene* scene_with(plan* it) {
 
 static mimo_status step(mimo_env* env) { return mimo_env_step(env, NULL, 0, NULL, 0, NULL); }
 
-static void check_tasks(void) {
+static void check_messages_of_tasks(void) {
   plan it = {0};
   mimo_scene* scene = scene_with(&it);
   mimo_env* env = NULL;
@@ -75,7 +75,7 @@ static void check_tasks(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_batch(void) {
+static void check_messages_of_worlds_in_batches(void) {
   plan it = {1, 0, MIMO_E_RENDER, 0, ""};
   mimo_scene* scene = scene_with(&it);
   mimo_batch* batch = NULL;
@@ -90,7 +90,7 @@ static void check_batch(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_fail(void) {
+static void check_mimo_fail(void) {
   mimo_status status = -1;
   for (; strcmp(mimo_status_name(status), "MIMO_E_UNKNOWN") != 0; --status) CHECK(mimo_fail(status, "") == status);
   CHECK(status == MIMO_E_END - 1);
@@ -119,7 +119,7 @@ static void* fail_elsewhere(void* env) {
   return NULL;
 }
 
-static void check_handles(void) {
+static void check_messages_by_handle(void) {
   mimo_scene* scene = blind_scene("free");
   mimo_env* env = NULL;
   mimo_batch* batch = NULL;
@@ -173,7 +173,7 @@ static void* fail_often(void* env) {
   return NULL;
 }
 
-static void check_together(void) {
+static void check_four_failing_threads(void) {
   mimo_env* env = blind_env("free", NULL);
   pthread_t threads[4];
   int i;
@@ -200,7 +200,7 @@ static void keep_text(void* user, const mimo_log_record* record) {
   strncat(user, record->text, 1000 - strlen(user));
 }
 
-static void check_lines(void) {
+static void check_that_messages_are_one_line(void) {
   const char* expected = "the task's function evaluate returned -5 (MIMO_E_NOT_FOUND): " QUOTED;
   char said[1024] = "";
   mimo_scene_config room;
@@ -262,7 +262,7 @@ static int is_utf8(const char* text) {
 }
 
 /* MuJoCo cuts what it says at 500 or 1000 bytes, wherever that is. The names end up there at even and at odd places. */
-static void check_letters(void) {
+static void check_that_letters_are_not_cut(void) {
   char name[1400], xml[2000];
   size_t length, i, shift;
   for (length = 460; length < 1200; length += 20) {
@@ -287,7 +287,7 @@ static void check_letters(void) {
 
 /* Bytes of the caller's that are no letters are quoted as '?': a lone end, half a pair of UTF-16, beyond U+10FFFF, two
  * bytes for one ASCII letter, a letter cut short. */
-static void check_no_letters(void) {
+static void check_that_broken_letters_become_question_marks(void) {
   mimo_env* env = blind_env("free", NULL);
   int32_t id;
   CHECK_FAILS(MIMO_E_NOT_FOUND, "\"a?b?c\xC3\xBC\"",
@@ -306,13 +306,13 @@ static void check_no_letters(void) {
 }
 
 int main(void) {
-  check_tasks();
-  check_batch();
-  check_fail();
-  check_handles();
-  check_together();
-  check_letters();
-  check_no_letters();
-  check_lines();
+  check_messages_of_tasks();
+  check_messages_of_worlds_in_batches();
+  check_mimo_fail();
+  check_messages_by_handle();
+  check_four_failing_threads();
+  check_that_letters_are_not_cut();
+  check_that_broken_letters_become_question_marks();
+  check_that_messages_are_one_line();
   return failures();
 }

@@ -1,5 +1,5 @@
-/* Senses written as C functions: what they get and give, and that frame_skip, threads, states, clones, limits and
- * recordings treat them as the library's own. */
+/* Senses written as C functions: what they are given and write. With frame_skip, threads, states, clones, limits and
+ * recordings they behave as the library's own senses do. */
 #include "support/capi.h"
 
 enum { WORLDS = 5, STEPS = 12 };
@@ -221,7 +221,7 @@ static void check_states(mimo_scene* scene) {
 }
 
 /* Another version of the memory, and a world without the sense: the state fits, the memory starts afresh. */
-static void check_other_memory(void) {
+static void check_states_with_another_memory(void) {
   mimo_sense sense = elbow_sense();
   mimo_scene *scene = scene_with(&sense), *newer, *without = blind_scene("free");
   mimo_env *env = env_of(scene, 2), *fresh, *plain = env_of(without, 2);
@@ -291,7 +291,7 @@ static void check_batch(mimo_scene* scene) {
 }
 
 /* What is 3 physics steps late was the value of 3 physics steps ago: the number of ticks tells. */
-static void check_delay(void) {
+static void check_a_delayed_own_sense(void) {
   const mimo_sense sense = elbow_sense();
   mimo_scene* scene = scene_with(&sense);
   mimo_limits limits;
@@ -319,7 +319,7 @@ static void check_delay(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_parameters(void) {
+static void check_parameters_of_own_senses(void) {
   const mimo_sense sense = elbow_sense();
   mimo_scene* scene = scene_with(&sense);
   mimo_parameter parameter = {.struct_size = sizeof parameter};
@@ -355,7 +355,7 @@ static void check_parameters(void) {
 }
 
 /* Each of two infants has its own, with its own joints. */
-static void check_two_agents(void) {
+static void check_an_own_sense_of_two_agents(void) {
   mimo_scene_config room;
   mimo_agent_config agent;
   mimo_scene* scene = NULL;
@@ -402,7 +402,7 @@ static void check_two_agents(void) {
 
 /* Normal numbers: of 10000 the mean is within 5/100 of 0 and the variance within 7 % of 1 (5 standard errors: 5/sqrt(n)
  * and 5 sqrt(2/n)). */
-static void check_noise(void) {
+static void check_noise_of_own_senses(void) {
   double sum = 0, squares = 0;
   int i;
   for (i = 0; i < 10000; ++i) {
@@ -425,11 +425,11 @@ int main(void) {
   check_batch(scene);
   mimo_scene_destroy(scene);
   CHECK(released == 1);
-  check_other_memory();
-  check_delay();
-  check_parameters();
-  check_two_agents();
-  check_noise();
+  check_states_with_another_memory();
+  check_a_delayed_own_sense();
+  check_parameters_of_own_senses();
+  check_an_own_sense_of_two_agents();
+  check_noise_of_own_senses();
   CHECK(opened == closed && opened > 10 && released == 7);
   return failures();
 }

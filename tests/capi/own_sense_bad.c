@@ -1,5 +1,5 @@
-/* Senses that are wrong: tables with holes, fields that cannot be, functions that fail, write past their memory, change
- * what they may not. Each is named, and the world goes on, or is not made. */
+/* Wrong senses: incomplete tables, impossible fields, functions that fail, write past their memory, or change what they
+ * may not. The message names each fault, and the world goes on or is not made. */
 #define _XOPEN_SOURCE 700 /* setenv */
 #include "support/capi.h"
 
@@ -155,7 +155,7 @@ static mimo_sense bad_sense(rules* rule) {
   return sense;
 }
 
-static void check_tables(void) {
+static void check_incomplete_tables(void) {
   rules rule = {NO_FAULT, NULL};
   const mimo_sense good = bad_sense(&rule);
   mimo_scene* scene = blind_scene("free");
@@ -271,7 +271,7 @@ static void check_step(enum fault fault, const char* part) {
 }
 
 /* In a batch only the world with the fault fails; here all do, each with its message. */
-static void check_batch(void) {
+static void check_faults_in_a_batch(void) {
   rules rule = {NO_FAULT, NULL};
   const mimo_sense sense = bad_sense(&rule);
   mimo_scene* scene = blind_scene("free");
@@ -295,7 +295,7 @@ static void check_batch(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_host_fills(void) {
+static void check_fields_that_the_host_fills(void) {
   rules rule = {NO_FAULT, NULL};
   mimo_sense sense = bad_sense(&rule);
   mimo_scene* scene = blind_scene("free");
@@ -334,7 +334,7 @@ int main(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected the one that a function of a sense is given",
               mimo_sense_add_field(env, no_field));
   mimo_env_destroy(env);
-  check_tables();
+  check_incomplete_tables();
   check_refused(OPEN_FAILS, MIMO_E_TASK, "the sense \"bad\"'s function open returned -5 (MIMO_E_NOT_FOUND): no nose");
   check_refused(NO_FIELD, MIMO_E_INVALID_ARGUMENT, "the sense \"bad\" declares no field");
   check_refused(FIELD_TWICE, MIMO_E_TASK, "there are two fields \"bad/a\"");
@@ -352,8 +352,8 @@ int main(void) {
   check_step(FEELS_NOTHING, "field is 1000");
   check_step(CHANGES_WORLD, NULL);
   check_step(ADDS_LATE, NULL);
-  check_batch();
-  check_host_fills();
+  check_faults_in_a_batch();
+  check_fields_that_the_host_fills();
   set_checks(1);
   check_step(WRITES_NAN,
              "the sense \"bad\"'s function write gave bad/a[1] as nan, expected a finite number from 0 to 10");

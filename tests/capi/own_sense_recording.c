@@ -1,5 +1,5 @@
-/* Recordings keep the fields of senses of one's own. A replay needs the sense: without it the message names it, and a
- * file never loads code. */
+/* Recordings keep the fields of own senses. A replay needs the sense; without it, the message names it. A recording
+ * never loads code. */
 #include "support/capi.h"
 
 enum { STEPS = 20 };

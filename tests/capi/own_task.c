@@ -1,4 +1,5 @@
-/* Tasks written as C functions: what they get, what they may do, and that a batch equals single worlds. */
+/* Tasks written as C functions: what they are given and may do, in single worlds and, with the same results, in
+ * batches. */
 #include "support/capi.h"
 
 enum { WORLDS = 6, STEPS = 25 };

@@ -43,7 +43,7 @@ static mimo_picture_config at_the_ball(void) {
   return config;
 }
 
-static void fill(void) {
+static void fill_buffers(void) {
   size_t i;
   memset(rgb, 0xab, sizeof rgb);
   for (i = 0; i <= PIXELS; ++i) {
@@ -52,7 +52,7 @@ static void fill(void) {
   }
 }
 
-static int untouched(void) {
+static int buffers_are_untouched(void) {
   size_t i;
   for (i = 0; i <= PIXELS; ++i) {
     if (depth[i] != -7 || segment[i] != -7) return 0;
@@ -62,7 +62,7 @@ static int untouched(void) {
 
 static void check_refusals(mimo_env* env) {
   mimo_picture_config config = at_the_ball();
-  fill();
+  fill_buffers();
 #define REFUSED(status, part, field, value, good)                                                                   \
   do {                                                                                                              \
     config.field = (value);                                                                                         \
@@ -90,7 +90,7 @@ static void check_refusals(mimo_env* env) {
                               PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS, .segmentation = segment,
                                       .segmentation_count = PIXELS - 1)));
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "rgb is NULL", mimo_env_render(env, &config, PICTURE(.rgb_bytes = 1)));
-  CHECK(untouched());
+  CHECK(buffers_are_untouched());
 }
 
 static void check_picture(mimo_env* env) {
@@ -98,7 +98,7 @@ static void check_picture(mimo_env* env) {
   const mimo_picture_config config = at_the_ball();
   const int32_t ball = find(env, MIMO_GEOM, "ball"), floor = find(env, MIMO_GEOM, "floor");
   static uint8_t again[3 * PIXELS];
-  fill();
+  fill_buffers();
   CHECK_OK(mimo_env_render(env, &config,
                            PICTURE(.rgb = rgb, .rgb_bytes = 3 * PIXELS, .depth = depth, .depth_count = PIXELS,
                                    .segmentation = segment, .segmentation_count = PIXELS)));
@@ -115,7 +115,7 @@ static void check_picture(mimo_env* env) {
 }
 
 /* Two eyes of the size asked for; looking does not change where the infant goes. */
-static void check_eyes(void) {
+static void check_pictures_of_both_eyes(void) {
   mimo_scene* scene = NULL;
   mimo_scene_config room;
   mimo_agent_config agent;
@@ -189,6 +189,6 @@ int main(void) {
   check_refusals(env);
   check_picture(env);
   mimo_env_destroy(env);
-  check_eyes();
+  check_pictures_of_both_eyes();
   return failures();
 }

@@ -1,4 +1,4 @@
-/* Recordings: what a program does with a world is written by itself, and played again bit for bit. */
+/* Recordings: the recorder writes what a program does with a world, and a replay repeats it bit for bit. */
 #define _XOPEN_SOURCE 700 /* truncate */
 #include <math.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-/* Refused means that nothing has changed; and what is not finite does not come in. */
+/* A refused call changes nothing, and numbers that are not finite are refused. */
 #include <float.h>
 
 #include "support/capi.h"
@@ -6,7 +6,7 @@
 enum { WORLDS = 2, MOST = 4096 };
 
 /* Poses belong to the start of the last physics step until somebody asks for new ones. */
-static void check_look_angles(void) {
+static void check_that_looking_waits_for_an_update(void) {
   mimo_env* env = blind_env("free", NULL);
   const double point[3] = {1, 0, 0.5};
   const int32_t head = find(env, MIMO_BODY, "head");
@@ -105,7 +105,7 @@ static mimo_scene* cart_scene(void) {
   return scene;
 }
 
-static void check_actions(void) {
+static void check_that_actions_are_finite(void) {
   mimo_scene* scene = cart_scene();
   mimo_env* env = NULL;
   mimo_batch* batch = NULL;
@@ -132,7 +132,7 @@ static void check_actions(void) {
 }
 
 /* Gain and noise that no float holds are refused; with the largest ones what comes out is the largest float at most. */
-static void check_limits(void) {
+static void check_refused_limits(void) {
   mimo_scene* scene = cart_scene();
   mimo_env* env = NULL;
   mimo_limits limits;
@@ -166,7 +166,7 @@ static void check_limits(void) {
 }
 
 /* The message fits structs with and without an _init function. */
-static void check_struct_size(void) {
+static void check_refused_struct_sizes(void) {
   mimo_env* env = blind_env("free", NULL);
   mimo_field field;
   memset(&field, 0, sizeof field);
@@ -177,12 +177,12 @@ static void check_struct_size(void) {
 }
 
 int main(void) {
-  check_look_angles();
+  check_that_looking_waits_for_an_update();
   check_results_of_a_batch(MIMO_AUTORESET_NONE);
   check_results_of_a_batch(MIMO_AUTORESET_NEXT_STEP);
   check_results_of_a_batch(MIMO_AUTORESET_SAME_STEP);
-  check_actions();
-  check_limits();
-  check_struct_size();
+  check_that_actions_are_finite();
+  check_refused_limits();
+  check_refused_struct_sizes();
   return failures();
 }

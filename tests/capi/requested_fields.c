@@ -1,4 +1,4 @@
-/* Fields on request: what they hold, when it is true, from where it is seen, and what is refused. */
+/* Requested fields: their values, times and frames of reference, and what is refused. */
 #include "support/capi.h"
 
 static const double kTimestep = 0.005, kSpin = 2, kGravity = 9.81;
@@ -80,7 +80,7 @@ static void check_seen(const mimo_env* env, const char* position, const char* ve
   check_values(env, velocity, motion, 6);
 }
 
-static void check_motion(void) {
+static void check_when_requested_fields_are_true(void) {
   static const char* const both[] = {"turn", "slide"};
   mimo_scene* scene = scene_of(kModel);
   const mimo_field_config joints = field_for("joints", MIMO_JOINT_POSITION, both, 2, NULL);
@@ -122,7 +122,7 @@ static void check_times_of(const mimo_env* env, const char* name, double time) {
   CHECK(field.dtype == MIMO_F32 && isinf(field.low) && isinf(field.high));
 }
 
-static void check_description(void) {
+static void check_descriptions_of_requested_fields(void) {
   static const char* const mixed[] = {"turn", "ball"};
   static const char* const hinge[] = {"turn"};
   static const char* const bodies[] = {"ball", "cart"};
@@ -176,7 +176,7 @@ static mimo_env* swinging(void) {
 
 /* In a physics step joints go from where they are with the velocities of its end. So the hand's velocity, in the middle
  * between the poses of then and of now, is how far it came, divided by the step. */
-static void check_finite_differences(void) {
+static void check_velocities_against_differences(void) {
   mimo_env* env = swinging();
   double then[200], now[200], fastest = 0, worst = 0;
   float action[44], place[3], velocity[3];
@@ -246,7 +246,7 @@ static void check_place(const mimo_env* env, const float* place, const char* bod
   for (i = 0; i < 3; ++i) CHECK_NEAR(expected[i], (double)place[i], 1e-6);
 }
 
-static void check_reach(void) {
+static void check_the_goal_of_reach(void) {
   mimo_env* env = env_of(task_scene("reach", sole));
   const float action[8] = {1, 1, 1, 1, 1, 1, 1, 1};
   int n;
@@ -263,7 +263,7 @@ static void check_reach(void) {
   mimo_env_destroy(env);
 }
 
-static void check_standup(void) {
+static void check_the_goal_of_standup(void) {
   mimo_env* env = env_of(task_scene("standup", sole));
   const int32_t head = find(env, MIMO_BODY, "head");
   double place[3];
@@ -307,7 +307,7 @@ static void check_told(mimo_env* env, int felt) {
   CHECK(ended == felt && values(env, "achieved")[0] == (felt ? goal[0] : -1));
 }
 
-static void check_selfbody(void) {
+static void check_the_goal_of_selfbody(void) {
   mimo_scene* scene = task_scene("selfbody", sole);
   mimo_object_config ball;
   mimo_env* env;
@@ -325,7 +325,7 @@ static void check_selfbody(void) {
 }
 
 /* Touches in a row, as the term of the reward has them. */
-static void check_catch(void) {
+static void check_the_goal_of_catch(void) {
   mimo_env* env = env_of(task_scene("catch", sole));
   double terms[4] = {0, 0, 0, 0};
   const size_t term_count = sizes_of(env).terms;
@@ -345,7 +345,7 @@ static void check_catch(void) {
 
 /* ---- Many worlds ---- */
 
-static void check_batch(void) {
+static void check_goals_in_a_batch(void) {
   mimo_scene* scene = task_scene("reach", sole);
   mimo_batch_config config;
   mimo_batch* batch = NULL;
@@ -393,7 +393,7 @@ static void refuse_world(mimo_status status, const char* part, mimo_scene* scene
   mimo_scene_destroy(scene);
 }
 
-static void check_refused(void) {
+static void check_refused_fields(void) {
   static const char* const ball[] = {"ball"};
   static const char* const ghost[] = {"ball", "ghost"};
   static const char* const nothing[] = {NULL};
@@ -436,14 +436,14 @@ static void check_refused(void) {
 }
 
 int main(void) {
-  check_motion();
-  check_description();
-  check_finite_differences();
-  check_reach();
-  check_standup();
-  check_selfbody();
-  check_catch();
-  check_batch();
-  check_refused();
+  check_when_requested_fields_are_true();
+  check_descriptions_of_requested_fields();
+  check_velocities_against_differences();
+  check_the_goal_of_reach();
+  check_the_goal_of_standup();
+  check_the_goal_of_selfbody();
+  check_the_goal_of_catch();
+  check_goals_in_a_batch();
+  check_refused_fields();
   return failures();
 }

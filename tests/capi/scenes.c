@@ -1,4 +1,4 @@
-/* Scenes: by name, from a file, from text, empty; agents and objects; what is refused, and how it is told. */
+/* Scenes: by name, from a file, from text, empty; agents and objects; what is refused, and with which message. */
 #include "repository_paths.h"
 #include "support/capi.h"
 
@@ -25,7 +25,7 @@ static mimo_scene* create(const char* name, const char* file, const char* xml) {
   return scene;
 }
 
-static void check_sources(void) {
+static void check_names_files_and_texts(void) {
   mimo_scene* scene;
   mimo_scene_config config;
   CHECK_TEXT("benchmark", mimo_scene_name(0));
@@ -76,7 +76,7 @@ static void ignore(void* user, const mimo_log_record* record) {
 }
 
 /* What documents may ask for, and what is not as their authors meant it. */
-static void check_limits(void) {
+static void check_limits_of_documents(void) {
   mimo_scene_config config;
   mimo_scene* scene = NULL;
   mimo_env* env = NULL;
@@ -278,7 +278,7 @@ static void check_long_messages(void) {
   }
 }
 
-static void check_xml(void) {
+static void check_scenes_of_text(void) {
   mimo_scene *scene = blind_scene("benchmark"), *again;
   char* text;
   size_t length = 0, second = 0;
@@ -299,7 +299,7 @@ static void check_xml(void) {
   free(text);
 }
 
-static void check_save(void) {
+static void check_saving_scenes(void) {
 #ifdef _WIN32
   const char* const clean = "if exist saved_scene rmdir /s /q saved_scene";
 #else
@@ -323,7 +323,7 @@ static void check_save(void) {
   CHECK(system(clean) == 0);
 }
 
-static void check_models(void) {
+static void check_a_model_that_does_not_compile(void) {
   mimo_scene* scene = create(NULL, NULL, "<mujoco><worldbody><geom type='nonsense'/></worldbody></mujoco>");
   mimo_env* env = NULL;
   CHECK_FAILS(MIMO_E_MODEL, "nonsense", mimo_env_create(scene, NULL, &env));
@@ -332,13 +332,13 @@ static void check_models(void) {
 }
 
 int main(void) {
-  check_sources();
-  check_limits();
+  check_names_files_and_texts();
+  check_limits_of_documents();
   check_agents();
   check_objects();
-  check_xml();
-  check_save();
+  check_scenes_of_text();
+  check_saving_scenes();
   check_long_messages();
-  check_models();
+  check_a_model_that_does_not_compile();
   return failures();
 }

@@ -1,5 +1,5 @@
-/* What a batch's tasks do while a step that was sent is under way: they go on with their worlds when the batch is
- * destroyed, and cannot wait for themselves. */
+/* A step under way by mimo_batch_send: tasks finish it when the batch is destroyed, and a task that would wait for its
+ * own step is refused. */
 #define _POSIX_C_SOURCE 200809L
 #include <time.h>
 
@@ -59,7 +59,7 @@ static mimo_batch* batch_with(shared* user) {
   return batch;
 }
 
-static void check_destroy(void) {
+static void check_destroying_a_batch_that_steps(void) {
   shared user = {0};
   mimo_batch* batch = batch_with(&user);
   mimo_env* view = NULL;
@@ -74,7 +74,7 @@ static void check_destroy(void) {
   CHECK_FAILS(MIMO_E_BAD_HANDLE, "destroyed", mimo_env_time(view, &time));
 }
 
-static void check_receive(void) {
+static void check_tasks_that_wait_for_their_own_batch(void) {
   shared user = {0};
   mimo_batch* batch = batch_with(&user);
   size_t i;
@@ -91,7 +91,7 @@ static void check_receive(void) {
 }
 
 /* A task steps another batch, whose tasks try to receive the first one: they are part of its step as well. */
-static void check_receive_for_another(void) {
+static void check_tasks_that_wait_for_another_batch(void) {
   shared outer = {0}, inner = {0};
   mimo_batch *first = batch_with(&outer), *second = batch_with(&inner);
   size_t i;
@@ -110,8 +110,8 @@ static void check_receive_for_another(void) {
 }
 
 int main(void) {
-  check_destroy();
-  check_receive();
-  check_receive_for_another();
+  check_destroying_a_batch_that_steps();
+  check_tasks_that_wait_for_their_own_batch();
+  check_tasks_that_wait_for_another_batch();
   return failures();
 }

@@ -1,4 +1,4 @@
-/* Faces, gaze, further cameras and layouts of pictures. What they compute is tested in unit/; here is how one asks. */
+/* Faces, gaze, further cameras and layouts of pictures. Unit tests check what they compute; these test the calls. */
 #include "support/capi.h"
 
 enum { SIZE = 25, PIXELS = SIZE * SIZE };

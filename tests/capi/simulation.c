@@ -1,4 +1,4 @@
-/* Simulations in trouble, seen by a host: a status, a message, nothing printed, no file, and on it goes. */
+/* Simulations that fail: the host gets a status and a message, nothing is printed or written, and it can go on. */
 #define _POSIX_C_SOURCE 200809L
 #include <dirent.h>
 
@@ -81,7 +81,7 @@ static void check_failed(mimo_env* env) {
 }
 
 /* A velocity beyond all bounds; another world goes on to the bit, and a reset repairs this one. */
-static void check_divergence(void) {
+static void check_a_world_that_diverges(void) {
   mimo_env *failing = blind_env("benchmark", NULL), *other = blind_env("benchmark", NULL),
            *fresh = blind_env("benchmark", NULL);
   const int32_t ball = 1;
@@ -122,7 +122,7 @@ static void check_divergence(void) {
 static int on_mujoco_4(void) { return strncmp(mimo_mujoco_version(), "4.", 2) == 0; }
 
 /* An infant in the floor with room for two contacts: the log hears of it, the world lives. */
-static void check_warnings(void) {
+static void check_a_warning_in_the_log(void) {
   mimo_scene_config room;
   mimo_env_config config;
   mimo_scene* scene = NULL;
@@ -153,7 +153,7 @@ static void check_warnings(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_bad_models(void) {
+static void check_models_that_physics_refuses(void) {
   static const char* const documents[] = {
       "<mujoco><worldbody><body><freejoint/></body></worldbody></mujoco>",
       "<mujoco><asset><mesh file='no/such.stl' name='m'/></asset></mujoco>",
@@ -184,9 +184,9 @@ int main(void) {
   CHECK(enter_folder(folder));
   dup2(fileno(out), 1);
   dup2(fileno(out), 2);
-  check_divergence();
-  if (!on_mujoco_4()) check_warnings(); /* where contacts are not limited by their number */
-  check_bad_models();
+  check_a_world_that_diverges();
+  if (!on_mujoco_4()) check_a_warning_in_the_log(); /* where contacts are not limited by their number */
+  check_models_that_physics_refuses();
   fflush(NULL);
   dup2(saved_out, 1);
   dup2(saved_err, 2);

@@ -1,5 +1,5 @@
-/* Stages that cannot be: every array that is missing, too short for the others, or holds what is not there or no number
- * is refused with its name, and nothing is drawn. And arrays at random, which may be refused or drawn, and do no harm.
+/* Wrong stages: an array that is missing, too short for the others, or holds a wrong index or no number is refused with
+ * its name, and nothing is drawn. Random arrays are refused or drawn, and do no harm.
  */
 #include "support/capi.h"
 
@@ -254,7 +254,7 @@ static void fill_poses(void) {
   memset(e.rgb, 0xab, sizeof e.rgb);
 }
 
-static void fill(void) {
+static void fill_all_arrays(void) {
   memset(&e, 0, sizeof e);
   fill_geoms();
   fill_meshes();
@@ -275,19 +275,19 @@ static mimo_status draw(mimo_stage* stage) {
   return mimo_stage_draw(stage, &poses, 1, &view, 1);
 }
 
-static int untouched(void) { return e.rgb[0] == 0xab && memcmp(e.rgb, e.rgb + 1, sizeof e.rgb - 1) == 0; }
+static int picture_is_untouched(void) { return e.rgb[0] == 0xab && memcmp(e.rgb, e.rgb + 1, sizeof e.rgb - 1) == 0; }
 
 /* One thing is made wrong; the call is refused with these words. */
 #define REFUSED(change, words)                                   \
   do {                                                           \
     mimo_stage* stage;                                           \
-    fill();                                                      \
+    fill_all_arrays();                                           \
     change;                                                      \
     CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, words, create(&stage)); \
     CHECK(stage == NULL);                                        \
   } while (0)
 
-static void test_parts(void) {
+static void test_wrong_parts(void) {
   REFUSED(e.geoms.forms = NULL, "geoms: forms is NULL, but count is 3");
   REFUSED(e.geoms.sizes = NULL, "geoms: sizes is NULL");
   REFUSED(e.geoms.colors = NULL, "geoms: colors is NULL");
@@ -313,7 +313,7 @@ static void test_parts(void) {
   REFUSED(e.air.diffuse[2] = NAN, "air: diffuse[0, 2] is nan");
 }
 
-static void test_assets(void) {
+static void test_wrong_assets(void) {
   REFUSED(e.meshes.vertex_counts = NULL, "meshes: vertex_counts is NULL");
   REFUSED(e.meshes.vertices = NULL, "meshes: vertices is NULL");
   REFUSED(e.vertex_counts[0] = -1, "meshes: vertex_counts[0] is -1");
@@ -351,18 +351,18 @@ static void test_assets(void) {
 
 #define UNDRAWN(change, words)                                \
   do {                                                        \
-    fill();                                                   \
+    fill_all_arrays();                                        \
     change;                                                   \
     CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, words, draw(stage)); \
-    CHECK(untouched());                                       \
+    CHECK(picture_is_untouched());                            \
   } while (0)
 
-static void test_poses(void) {
+static void test_wrong_poses(void) {
   mimo_stage* stage;
-  fill();
+  fill_all_arrays();
   CHECK_OK(create(&stage));
   CHECK_OK(draw(stage));
-  CHECK(!untouched());
+  CHECK(!picture_is_untouched());
   UNDRAWN(e.poses.geom_count = 2, "poses[0]: geom_count is 2, expected 3, or 0");
   UNDRAWN(e.poses.geom_positions = NULL, "poses[0]: geom_positions is NULL");
   UNDRAWN(e.poses.geom_rotations = NULL, "geom_rotations and geom_quaternions are NULL, expected one of them");
@@ -390,10 +390,10 @@ static void test_poses(void) {
   UNDRAWN(e.view.rgb_stride = 3 * SIDE - 1, "views[0]: rgb_stride is 47, expected at least 48, a row");
   UNDRAWN(e.view.depth_stride = SIZE_MAX, "views[0]: depth_stride is");
   UNDRAWN(e.view.depth = NULL, "views[0]: depth is NULL, but its length is 256");
-  fill();
+  fill_all_arrays();
   e.view.rgb_stride = 3 * SIDE + 1; /* one pixel more in each row but the last */
   CHECK_FAILS(MIMO_E_BUFFER_TOO_SMALL, "views[0]: rgb has a length of 768, but 783 are needed", draw(stage));
-  CHECK(untouched());
+  CHECK(picture_is_untouched());
   mimo_stage_destroy(stage);
 }
 
@@ -422,7 +422,7 @@ static int32_t any_whole(void) {
 #define WHOLES(array) \
   { array, sizeof(array) / sizeof *(array), sizeof *(array), 0 }
 
-static void spoil(void) {
+static void spoil_some_arrays(void) {
   const struct {
     void* array;
     size_t count, size;
@@ -495,12 +495,12 @@ static void spoil(void) {
     memcpy(to, &real, sizeof real);
 }
 
-static void test_at_random(void) {
+static void test_random_arrays(void) {
   int round, k, made = 0, refused = 0, drawn = 0;
   for (round = 0; round < 4000; ++round) {
     mimo_stage* stage;
-    fill();
-    for (k = (int)draw_lot(3); k >= 0; --k) spoil();
+    fill_all_arrays();
+    for (k = (int)draw_lot(3); k >= 0; --k) spoil_some_arrays();
     if (create(&stage) != MIMO_OK) {
       ++refused;
       CHECK(stage == NULL && mimo_last_error()[0] != '\0');
@@ -510,16 +510,16 @@ static void test_at_random(void) {
     if (draw(stage) == MIMO_OK)
       ++drawn;
     else
-      CHECK(untouched());
+      CHECK(picture_is_untouched());
     mimo_stage_destroy(stage);
   }
   CHECK(refused > 400 && made > 400 && drawn > 200 && drawn < made);
 }
 
 int main(void) {
-  test_parts();
-  test_assets();
-  test_poses();
-  test_at_random();
+  test_wrong_parts();
+  test_wrong_assets();
+  test_wrong_poses();
+  test_random_arrays();
   return failures();
 }

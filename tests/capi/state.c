@@ -1,4 +1,4 @@
-/* Saving, loading and cloning, as seen from outside. */
+/* Saving, loading and cloning worlds. */
 #include "support/capi.h"
 
 static size_t bytes;

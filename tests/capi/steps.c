@@ -1,4 +1,5 @@
-/* The everyday path: an environment, its fields and actions, reset, steps, observe; buffers one too short. */
+/* What every program does: make a world, read its fields and actions, reset, step, observe; and buffers one too short.
+ */
 #include "support/capi.h"
 
 static mimo_env* env;
@@ -18,7 +19,7 @@ static int is_filled(const uint8_t* block, uint8_t fill) {
   return 1;
 }
 
-static void check_making(void) {
+static void check_making_worlds(void) {
   mimo_env* made = NULL;
   mimo_scene* scene = blind_scene("free");
   mimo_env_config config;
@@ -72,7 +73,7 @@ static void check_fields(void) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "name is NULL", mimo_layout_find(layout, NULL, &limit));
 }
 
-static void check_actions(void) {
+static void check_descriptions_of_actions(void) {
   mimo_action action = action_at(env, 0);
   CHECK(sizes_of(env).actions == 44 && sizes_of(env).agents == 1 && sizes_of(env).terms == 0);
   CHECK(action.low == -1 && (float)action.high == 0.765f && action.agent == 0); /* hip_bend: -10.58 to 8.09 Nm */
@@ -84,7 +85,7 @@ static void check_actions(void) {
   CHECK_FAILS(MIMO_E_STRUCT_SIZE, "action: struct_size is 0", mimo_layout_action(layout_of(env), 0, &action));
 }
 
-static void check_stepping(void) {
+static void check_reset_and_steps(void) {
   uint8_t *first = new_block(0xab), *second = new_block(0xcd);
   float action[44] = {0};
   double reward = 7, time = 7, step = 0;
@@ -149,7 +150,7 @@ static void check_stepping(void) {
   free(second);
 }
 
-static void check_timing(void) {
+static void check_times_of_steps(void) {
   mimo_env_config config;
   mimo_env* timed;
   mimo_timing timing;
@@ -179,15 +180,15 @@ static void check_timing(void) {
 }
 
 int main(void) {
-  check_making();
+  check_making_worlds();
   env = blind_env("benchmark", NULL);
   bytes = sizes_of(env).block_bytes;
   fields = sizes_of(env).fields;
   CHECK(bytes % 64 == 0 && fields == 9);
   check_fields();
-  check_actions();
-  check_stepping();
-  check_timing();
+  check_descriptions_of_actions();
+  check_reset_and_steps();
+  check_times_of_steps();
   mimo_env_destroy(env);
   return failures();
 }

@@ -1,4 +1,4 @@
-/* Versioned structs: smaller, larger, with and without something in an unknown tail. */
+/* Structs of other versions: smaller, larger, with zeros or something else behind the known members. */
 #include "support/capi.h"
 
 /* Room for a struct of a later version, 16 bytes longer than ours. */

@@ -1,5 +1,5 @@
-/* What a task of one's own may declare and say: terms, fields, an end that is none, a cut; what it is shown; and what
- * is refused. The task: hold the left elbow at an angle that each episode draws anew. */
+/* What an own task may declare and judge: terms, fields, an episode that goes on or is cut off; what the library shows
+ * it; and what is refused. The task: hold the left elbow at an angle that each episode draws anew. */
 #include "support/capi.h"
 
 enum { HANDED = 256, WORLDS = 5, STEPS = 30, CUT = 20 };
@@ -258,7 +258,7 @@ static mimo_status no_verdict(void* user, mimo_env* env, const mimo_task_moment*
   return MIMO_OK;
 }
 
-static void check_infants(void) {
+static void check_a_task_for_each_infant(void) {
   mimo_scene_config config;
   mimo_agent_config agent;
   mimo_scene* scene = NULL;
@@ -303,7 +303,7 @@ static mimo_status look(void* user, mimo_env* env, const mimo_task_moment* momen
   return MIMO_OK;
 }
 
-static void check_shown(void) {
+static void check_what_a_task_is_shown(void) {
   rules rule = {0};
   mimo_scene* scene = blind_scene("free");
   mimo_task task;
@@ -376,7 +376,7 @@ static void refuse(mimo_scene* scene, const mimo_task* task, const char* why) {
   CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, why, mimo_scene_set_task(scene, task));
 }
 
-static void check_descriptions(void) {
+static void check_refused_descriptions(void) {
   rules rule = {0};
   mimo_scene* scene = blind_scene("free");
   const char* terms[2] = {"near", "lazy"};
@@ -470,9 +470,9 @@ int main(void) {
   check_steps(env, &rule);
   check_batch(scene);
   check_mistakes(env, &rule);
-  check_infants();
-  check_shown();
-  check_descriptions();
+  check_a_task_for_each_infant();
+  check_what_a_task_is_shown();
+  check_refused_descriptions();
   mimo_env_destroy(env);
   mimo_scene_destroy(scene);
   return failures();

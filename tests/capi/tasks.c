@@ -19,7 +19,7 @@ static mimo_env* env_of(mimo_scene* scene) {
   return env;
 }
 
-static void check_parameters(void) {
+static void check_parameters_of_tasks(void) {
   mimo_scene* scene = scene_named("reach");
   mimo_parameter parameter;
   size_t count = 0, i;
@@ -86,7 +86,7 @@ static void check_episode(const char* scene, const char* name, int limit, int fr
 }
 
 /* BabyBench's score of an episode: entries above 0 over the sum of the goal, by the competition's rules and by ours. */
-static void check_counts(void) {
+static void check_babybench_scores(void) {
   static double touched[4 * 36], wanted[4 * 36];
   static const double asked[4] = {34, 34, 32, 32};
   mimo_env* env = NULL;
@@ -129,7 +129,7 @@ static const uint32_t kUsualProprioception = MIMO_PROPRIOCEPTION_ACTUATION | MIM
                                              MIMO_PROPRIOCEPTION_TORQUE | MIMO_PROPRIOCEPTION_LIMIT |
                                              MIMO_PROPRIOCEPTION_POSITION;
 
-static void check_agents(void) {
+static void check_acting_parts_and_position_control(void) {
   mimo_scene* scene = scene_named("standup");
   mimo_agent_config agent;
   mimo_env* env;
@@ -170,7 +170,7 @@ static void check_agents(void) {
   mimo_env_destroy(env);
 }
 
-static void check_overrides(void) {
+static void check_locks_gravity_and_gears(void) {
   mimo_env* env = blind_env("free", NULL);
   const int32_t elbow = find(env, MIMO_JOINT, "robot:right_elbow");
   const int32_t motor = find(env, MIMO_ACTUATOR, "act:right_elbow");
@@ -218,7 +218,7 @@ static void keep_text(void* user, const mimo_log_record* record) {
 }
 
 /* Nobody does a task in a scene without agents. A room may be empty, which the log tells of a built-in one. */
-static void check_nobody(void) {
+static void check_tasks_without_agents(void) {
   const char* missing = "mimo_scene_add_agents adds its infants";
   mimo_scene *reach = scene_named("reach"), *room = scene_named("benchmark"), *empty = scene_named(NULL);
   mimo_env_config config;
@@ -245,15 +245,15 @@ static void check_nobody(void) {
 }
 
 int main(void) {
-  check_parameters();
-  check_nobody();
+  check_parameters_of_tasks();
+  check_tasks_without_agents();
   check_episode("reach", "reach", 1000, 2, 8);
   check_episode("standup", "standup", 500, 2, 27);
   check_episode("rollover", "rollover", 1000, 2, 38);
   check_episode("babybench-crib", "selftouch", 1000, 1, 30);
-  check_counts();
+  check_babybench_scores();
   check_term_names();
-  check_agents();
-  check_overrides();
+  check_acting_parts_and_position_control();
+  check_locks_gravity_and_gears();
   return failures();
 }

@@ -1,4 +1,4 @@
-/* Receptors and the warmth of things, as a user asks for them. */
+/* Receptors of the skin, and the warmth of things. */
 #include "support/capi.h"
 
 static size_t elements(const mimo_env* env, const char* name, const char* unit) {

@@ -51,7 +51,7 @@ static void close_world(world* w) {
   free(w->block);
 }
 
-static void check_defaults(void) {
+static void check_default_configs(void) {
   const mimo_agent_config config = feeling_agent();
   CHECK(config.touch == MIMO_TOUCH_FORCE);
   CHECK(config.touch_response == MIMO_RESPONSE_LINEAR);
@@ -79,7 +79,7 @@ static void check_frame(const double* f) {
   CHECK_NEAR(f[8], f[0] * f[4] - f[1] * f[3], 1e-9);
 }
 
-static void check_description(void) {
+static void check_descriptions_of_sensors(void) {
   const mimo_agent_config config = feeling_agent();
   mimo_scene* scene = scene_with(&config);
   world w = open_world(scene);
@@ -116,7 +116,7 @@ static void check_description(void) {
   mimo_scene_destroy(scene);
 }
 
-static void check_spacing(void) {
+static void check_spacing_by_body(void) {
   const mimo_agent_config config = feeling_agent();
   mimo_scene* scene = scene_with(&config);
   double* bodies;
@@ -157,7 +157,7 @@ static void check_refused(mimo_status status, const char* part, mimo_agent_confi
   mimo_scene_destroy(scene);
 }
 
-static void check_bad_values(void) {
+static void check_refused_configs(void) {
   mimo_agent_config config = feeling_agent();
   config.touch = 0x8000;
   check_refused(MIMO_E_UNSUPPORTED, "touch is 0x8000", config);
@@ -180,7 +180,7 @@ static void check_bad_values(void) {
   check_refused(MIMO_E_INVALID_ARGUMENT, "touch_slip_threshold is -1", config);
 }
 
-static void check_projection(void) {
+static void check_sensors_in_a_picture(void) {
   const mimo_agent_config agent = feeling_agent();
   mimo_scene* scene = scene_with(&agent);
   world w = open_world(scene);
@@ -220,7 +220,7 @@ static double uniform(void) {
 static double log_uniform(double low, double high) { return low * pow(high / low, uniform()); }
 
 /* Whatever the config: it is refused with a message, or the world runs and gives finite numbers. */
-static void check_fuzzed(void) {
+static void check_random_configs(void) {
   static const char* const kBodies[] = {"head", "left_fingers", "hip", "right_foot", "left_eye", NULL, "tail", ""};
   int round;
   for (round = 0; round < 40; ++round) {
@@ -260,11 +260,11 @@ static void check_fuzzed(void) {
 }
 
 int main(void) {
-  check_defaults();
-  check_description();
-  check_spacing();
-  check_bad_values();
-  check_projection();
-  check_fuzzed();
+  check_default_configs();
+  check_descriptions_of_sensors();
+  check_spacing_by_body();
+  check_refused_configs();
+  check_sensors_in_a_picture();
+  check_random_configs();
   return failures();
 }
