@@ -334,7 +334,13 @@ void add_export(CLI::App& program) {
       ->type_name("N")
       ->check(CLI::Validator(check_segments, ""))
       ->capture_default_str();
-  command->footer("Example: mimo export --scene showroom --seconds 5 --gltf infant.glb");
+  command->footer(
+      "A glTF file has a node for each body and below it one for each of its geoms, by their names; y is up and "
+      "metres\n"
+      "are the unit. Lights, the sky and what MuJoCo does not draw are not in it. Actions are the inputs of a unit of\n"
+      "FMI; rewards and the fields of --outputs are its outputs.\n"
+      "Examples:\n"
+      "  mimo export --scene showroom --seconds 5 --gltf infant.glb");
   command->callback([options, command] { export_scene(*options, *command); });
 }
 

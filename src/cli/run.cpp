@@ -212,10 +212,15 @@ void add_run(CLI::App& program) {
   add_own_senses_option(*command, options->world);
   add_parameter_option(*command, options->world);
   add_voice_option(*command, options->world);
-  command->add_option("--sound", options->sound, "Also write what both ears of the first infant hear, as a WAV file")
+  command
+      ->add_option("--sound", options->sound,
+                   "Also write what both ears of the first infant hear, as a WAV file;\nears are on then")
       ->type_name("FILE")
       ->check(CLI::Validator(check_wav, ""));
-  command->add_option("--full-scale", options->full_scale, "Sound pressure that is the largest number of that file")
+  command
+      ->add_option("--full-scale", options->full_scale,
+                   "Sound pressure that is the largest number of that file; what is louder\nis cut. A cry reaches 13 "
+                   "at the own ears")
       ->type_name("PA")
       ->check(number(1e-4, 1000))
       ->capture_default_str();

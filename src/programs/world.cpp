@@ -310,7 +310,9 @@ void add_maturity_options(CLI::App& command, AgeOptions& options) {
         ->type_name("WHICH")
         ->check(CLI::IsMember(std::vector<std::string>{"age", off}).description(""));
   };
-  add("--eyes", options.eyes, "perfect", "With an age: age, eyes that are as old, or perfect. Default: age");
+  add("--eyes", options.eyes, "perfect",
+      "With an age: age, eyes that are as old, or perfect. Pictures through\ntheir cameras are as they see. Default: "
+      "age");
   add("--delays", options.delays, "none",
       "With an age: age, nerves that are as old, or none, which take\nno time. Default: age");
 }
@@ -373,9 +375,9 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
                   "only if this is given")
       ->type_name("BODY");
   command
-      .add_option(
-          "--set", options.settings,
-          "A number of the infant, by its name in mimo_agent_config, as\nstrength=0.7; may be given several times")
+      .add_option("--set", options.settings,
+                  "A number of the infant, by its name in mimo_agent_config, as\nstrength=0.7; counts more than other "
+                  "options; may be given several times")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->check(CLI::Validator(check_setting, ""));
@@ -460,7 +462,9 @@ void add_seconds_option(CLI::App& command, double& seconds) {
 }
 
 void add_voice_option(CLI::App& command, WorldOptions& options) {
-  command.add_flag("--voice", options.voice, "The infant has a voice: four more actions after those of its motors");
+  command.add_flag(
+      "--voice", options.voice,
+      "The infant has a voice: four more actions after those of its motors,\nloudness, pitch and two formants");
 }
 
 void add_reflexes_option(CLI::App& command, WorldOptions& options) {
