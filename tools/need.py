@@ -20,6 +20,7 @@ PACKAGES = {
     "csharp": "mono-mcs mono-runtime libmono-system4.0-cil libmono-system-core4.0-cil",
     "octave": "octave octave-dev",
     "view": "chromium",
+    "javascript": "nodejs npm",
     # PyPI's torch for Linux brings gigabytes of CUDA along. Debian's takes the plain BLAS, which is slow, otherwise.
     "train": "python3-torch libopenblas0-pthread",
     "cross": """dpkg-dev libeigen3-dev libfmt-dev libosmesa6-dev libcli11-dev nlohmann-json3-dev python3-venv

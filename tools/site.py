@@ -17,8 +17,17 @@ ARTICLES = (
     "examples",
     "models/README.md",
 )
-READMES = tuple(f"bindings/{language}/README.md" for language in ("csharp", "matlab", "python", "rust"))
-LANGUAGES = {"c": "c", "cpp": "c++", "cs": "csharp", "lua": "lua", "m": "matlab", "py": "python", "rs": "rust"}
+READMES = tuple(f"bindings/{language}/README.md" for language in ("csharp", "javascript", "matlab", "python", "rust"))
+LANGUAGES = {
+    "c": "c",
+    "cpp": "c++",
+    "cs": "csharp",
+    "lua": "lua",
+    "m": "matlab",
+    "mjs": "javascript",
+    "py": "python",
+    "rs": "rust",
+}
 
 
 def write(page, title, *lines):

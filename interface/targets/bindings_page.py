@@ -17,6 +17,10 @@ LANGUAGES = {
     "Rust": ("bindings/rust/mimo/src/*.rs", r"\bsys::"),
     "C#": ("bindings/csharp/src/*.cs", r"Native\."),
     "MATLAB": ("bindings/matlab/*.c", r"\b"),
+    "JavaScript": (
+        "bindings/javascript/src/*.js bindings/javascript/src/generated/*.js",
+        r'(?:wasm\(\)\.|made\.|init: ")',
+    ),
 }
 
 

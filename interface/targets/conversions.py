@@ -7,7 +7,7 @@ import textwrap
 from dataclasses import dataclass
 
 import notes
-from targets import _csharp_words, _rust_words, csharp, matlab, python
+from targets import _csharp_words, _javascript_words, _rust_words, csharp, javascript, matlab, python
 from targets._prose import Prose, described
 
 CPP = "include/mimo/hpp/conversions.hpp"
@@ -45,6 +45,7 @@ def files(api) -> dict[str, str]:
         f"{python.PACKAGE}/conversions.py": in_python(api),
         "bindings/rust/mimo/src/conversions.rs": rust(api),
         f"{csharp.SOURCES}/Frames.cs": in_csharp(api),
+        f"{javascript.FOLDER}/conversions.js": in_javascript(api),
         f"{matlab.FOLDER}mimo_conversions.c": gateway(api),
         f"{matlab.FOLDER}mimo_convert.m": matlab_page(api),
     }
@@ -188,6 +189,48 @@ def in_csharp(api) -> str:
         body += [*([""] if body else []), *_csharp_words.documented(words.text(one.doc)), *made.split("\n")]
     head = [*_csharp_words.documented("Numbers in the frames of engines."), "public static class Frames"]
     return _csharp_words.in_namespace([], [[*head, "{", *_csharp_words.indent(body), "}"]])
+
+
+JAVASCRIPT_HEAD = """import { check, integer, view, wasm, within } from "../memory.js";
+
+/**
+ * @param {(axes: number, at: number, count: number) => number} call
+ * @param {string} what
+ * @param {number} width
+ * @param {ArrayLike<number>} values
+ * @param {number} axes
+ */
+function converted(call, what, width, values, axes) {
+  if (values.length % width !== 0) {
+    throw new RangeError(`${what} has ${values.length} numbers, expected a multiple of ${width}`);
+  }
+  return within((frame) => {
+    const at = frame.array("f32", what, values);
+    check(call(integer("axes", axes), at, values.length / width));
+    return /** @type {Float32Array} */ (view("f32", at, values.length).slice());
+  });
+}
+"""
+
+JAVASCRIPT_FUNCTION = """{doc}export function {name}({one.what}, axes) {{
+  return converted(wasm().{one.function}, "{one.what}", {one.width}, {one.what}, axes);
+}}
+"""
+
+
+def in_javascript(api) -> str:
+    words = _javascript_words.Words(api)
+    functions = []
+    for one in conversions(api):
+        tags = [
+            f"@param {{ArrayLike<number>}} {one.what}",
+            "@param {number} axes one of Axes",
+            "@returns {Float32Array}",
+        ]
+        doc = _javascript_words.comment(words.text(elsewhere(one.doc)), tags=tags)
+        name = _javascript_words.camel(method(one))
+        functions.append(JAVASCRIPT_FUNCTION.format(doc=doc, name=name, one=one))
+    return "\n".join([_javascript_words.NOTICE + JAVASCRIPT_HEAD, *functions])
 
 
 def gateway(api) -> str:

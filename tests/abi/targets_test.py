@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "interface"))
 
 import api  # noqa: E402
-from targets import _prose, _rust_structs, _rust_words, matlab, python  # noqa: E402
+from targets import _prose, _rust_structs, _rust_words, _wasm32, matlab, python  # noqa: E402
 
 POINTER = api.Member("weights", "const double *", 0, 8, "Weights of the joints.")
 
@@ -30,6 +30,11 @@ class Targets(unittest.TestCase):
             "size_t": "usize",
         }
         self.assertEqual({name: _rust_words.rust_type(name) for name in types}, types)
+
+    def test_wasm32_aligns_doubles_between_pointers_of_four_bytes(self):
+        # Two uint32, two pointers and a size_t are 20 bytes; the doubles behind them begin at multiples of 8.
+        action = self.interface.struct("mimo_action")
+        self.assertEqual(_wasm32.layout(self.interface, action), (40, [0, 4, 8, 12, 16, 24, 32]))
 
     def test_short_names_of_constants_are_names(self):
         prose = _prose.Prose(self.interface, lambda name: f"<{name}>")

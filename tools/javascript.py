@@ -1,0 +1,54 @@
+"""The npm package: types, tests in Node, and the package itself."""
+
+import json
+import shutil
+
+from .need import need
+from .shell import BUILD, ROOT, copy, fail, fresh, output, run, version
+
+PACKAGE = ROOT / "bindings/javascript"
+MODULE = ROOT / "build-web/lib/mimo.wasm"  # ./dev build --web
+
+
+def install_compiler(folder=PACKAGE):
+    """Installs what the package's own tests need, by the hashes of its lock file."""
+    if not shutil.which("npm"):  # other versions than Debian's are as good
+        need("javascript")
+    run("npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent", cwd=folder)
+
+
+def take_module():
+    """Puts the module beside the package's sources, where there is one; returns whether there is."""
+    if MODULE.is_file():
+        shutil.copy2(MODULE, PACKAGE / "mimo.wasm")
+    return (PACKAGE / "mimo.wasm").is_file()
+
+
+def test_javascript():
+    """Checks the types, and runs the tests; most of them need the module and are skipped without it."""
+    install_compiler()
+    run("npx", "tsc", "-p", ".", cwd=PACKAGE)
+    if json.loads((PACKAGE / "package.json").read_text())["version"] != version():
+        fail(f"bindings/javascript/package.json has another version than the library, {version()}")
+    take_module()
+    run("node", "--test", "tests/", cwd=PACKAGE)
+
+
+def pack_javascript():
+    """Makes the npm package; returns the file."""
+    if not take_module():
+        fail("the npm package needs the module: ./dev build --web")
+    install_compiler()
+    run("npx", "tsc", "-p", ".", cwd=PACKAGE)
+    copy([ROOT / "LICENSE"], PACKAGE)
+    folder = fresh(BUILD / "packages/npm")
+    return folder / output("npm", "pack", "--silent", "--pack-destination", folder, cwd=PACKAGE)
+
+
+def test_packed():
+    """Installs the package in an empty folder and steps a world there."""
+    file, folder = pack_javascript(), fresh(BUILD / "javascript")
+    run("npm", "install", "--no-audit", "--no-fund", "--silent", "--prefix", folder, file, cwd=folder)
+    copy(ROOT.glob("examples/javascript/*.mjs"), folder)
+    for example in sorted(folder.glob("*.mjs")):
+        run("node", example, cwd=folder)
