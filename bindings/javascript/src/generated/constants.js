@@ -30,7 +30,7 @@ export const Status = Object.freeze({
   INTERNAL: -12,
   /** A file cannot be written; a file or state is damaged, or is none. */
   FILE: -13,
-  /** A custom task failed or returned invalid values; see World.step. */
+  /** A custom task or sense failed or returned invalid values; see World.step. */
   TASK: -14,
   /** Not now: another thread uses the handle, or another call has to come first. */
   BUSY: -15,

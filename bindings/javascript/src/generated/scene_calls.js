@@ -184,7 +184,7 @@ export class SceneCalls extends Handle {
   }
 
   /**
-   * Sets a parameter for environments made from now on.
+   * Sets a parameter of a task, or of a sense of your own, for environments made from now on.
    *
    * Errors: Status.NOT_FOUND; Status.INVALID_ARGUMENT out of range.
    * @param {string} name
