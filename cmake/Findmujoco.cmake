@@ -7,7 +7,9 @@ if(NOT mujoco_ROOT AND DEFINED ENV{mujoco_ROOT})
   set(mujoco_ROOT $ENV{mujoco_ROOT})
 endif()
 
-if(mujoco_ROOT)
+if(mujoco_ROOT AND EXISTS ${mujoco_ROOT}/src/engine)
+  include(MimoMujoco)
+elseif(mujoco_ROOT)
   file(GLOB mujoco_files ${mujoco_ROOT}/libmujoco.so* ${mujoco_ROOT}/lib/libmujoco.so* ${mujoco_ROOT}/libmujoco.*dylib
        ${mujoco_ROOT}/mujoco-*.dll)
   find_path(mujoco_INCLUDE_DIR mujoco/mujoco.h PATHS ${mujoco_ROOT}/include NO_DEFAULT_PATH)

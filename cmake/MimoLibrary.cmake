@@ -8,7 +8,11 @@ if(mujoco_VERSION VERSION_GREATER_EQUAL 4)
   set(MIMO_LIBRARY_NAME mimo-mujoco4)
 endif()
 
-add_library(mimo SHARED)
+if(EMSCRIPTEN)
+  add_library(mimo STATIC)
+else()
+  add_library(mimo SHARED)
+endif()
 add_library(mimo::mimo ALIAS mimo)
 mimo_link_room(mimo capi)
 target_include_directories(mimo PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
@@ -19,6 +23,8 @@ set_target_properties(mimo PROPERTIES OUTPUT_NAME ${MIMO_LIBRARY_NAME} LINKER_LA
                       SOVERSION ${MIMO_ABI_VERSION} VERSION ${MIMO_VERSION})
 if(WIN32)
   include(MimoWindows)
+elseif(EMSCRIPTEN)
+  include(MimoWeb)
 elseif(APPLE)
   # What it needs lies beside it, and it says its name for those that it lies beside. Off a Mac, CMake's own properties for
   # this do nothing.
@@ -44,7 +50,7 @@ endif()
 
 # What is built for another system brings its MuJoCo along. For macOS ./dev gives the linker a copy that says another place
 # of itself, and keeps the signed one.
-if(MIMO_DEPENDENCIES)
+if(MIMO_DEPENDENCIES AND NOT EMSCRIPTEN)
   set(mimo_brought $<TARGET_FILE:mujoco::mujoco>)
   if(APPLE)
     file(GLOB mimo_brought ${mujoco_ROOT}/signed/*.dylib)

@@ -9,9 +9,11 @@ set(CMAKE_C_EXTENSIONS OFF)
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-include(CheckPIESupported)
-check_pie_supported()  # tells the linker so of programs, too
+if(NOT EMSCRIPTEN)  # a module is linked once and for all
+  set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+  include(CheckPIESupported)
+  check_pie_supported()  # tells the linker so of programs, too
+endif()
 set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
@@ -52,7 +54,12 @@ endif()
 find_program(MIMO_CCACHE ccache)
 if(MIMO_CCACHE)
   set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_NOHASHDIR=1
-               "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" ${MIMO_CCACHE})
+               "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}")
+  if(EMSCRIPTEN)  # a program around its compiler, which calls it itself
+    list(APPEND launcher EM_COMPILER_WRAPPER=${MIMO_CCACHE})
+  else()
+    list(APPEND launcher ${MIMO_CCACHE})
+  endif()
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
   set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()

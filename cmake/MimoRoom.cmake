@@ -10,12 +10,21 @@
 set(MIMO_ROOMS ${CMAKE_BINARY_DIR}/rooms)
 
 # mimo_on_this_platform(<variable>): leaves out of a list of sources what is for another system: *_windows.cpp is for
-# Windows, *_posix.cpp for all others; *_linux.cpp is for Linux, *_elsewhere.cpp for all others.
+# Windows, *_web.cpp for WebAssembly, *_posix.cpp for all others, and for WebAssembly where it has no file of its own;
+# *_linux.cpp is for Linux, *_elsewhere.cpp for all others.
 function(mimo_on_this_platform variable)
   if(WIN32)
     list(FILTER ${variable} EXCLUDE REGEX "_posix\\.cpp$")
   else()
     list(FILTER ${variable} EXCLUDE REGEX "_windows\\.cpp$")
+  endif()
+  if(EMSCRIPTEN)
+    set(web ${${variable}})
+    list(FILTER web INCLUDE REGEX "_web\\.cpp$")
+    list(TRANSFORM web REPLACE "_web\\.cpp$" "_posix.cpp")
+    list(REMOVE_ITEM ${variable} ${web})
+  else()
+    list(FILTER ${variable} EXCLUDE REGEX "_web\\.cpp$")
   endif()
   if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     list(FILTER ${variable} EXCLUDE REGEX "_elsewhere\\.cpp$")

@@ -10,8 +10,8 @@
 
 #include "mimo_export.h"
 
-#if UINTPTR_MAX != UINT64_MAX
-#error "This interface is for 64-bit platforms: the structs of others would have other sizes."
+#if UINTPTR_MAX != UINT64_MAX && !defined(__wasm32__)
+#error "This interface is for 64-bit platforms and WebAssembly: the structs of others would have other sizes."
 #endif
 
 #ifdef __cplusplus

@@ -20,7 +20,9 @@ struct FirstSize {
     static_assert(bytes <= sizeof(type), #type " became smaller"); \
     static constexpr std::size_t kBytes = bytes;                   \
   }
+#ifndef __wasm32__  // a module of WebAssembly and what calls it travel together
 #include "capi/first_sizes.h"
+#endif
 #undef MIMO_FIRST_SIZE
 
 template <typename T>

@@ -43,7 +43,7 @@ std::optional<std::string> read_from_disk(const std::string& path, std::uint64_t
   if (!S_ISREG(about.st_mode)) fail(Status::kModel, "file {} is {}", path, kind_of(about.st_mode));
   const auto size = static_cast<std::uint64_t>(about.st_size);
   if (size > most_bytes) fail_large(path, size, most_bytes);
-  std::string content(size, '\0');
+  std::string content(static_cast<std::size_t>(size), '\0');
   std::size_t done = 0;
   while (done < content.size()) {
     const ssize_t got = ::read(file.number(), content.data() + done, content.size() - done);

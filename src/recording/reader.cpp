@@ -239,7 +239,7 @@ void Reader::require_table(const std::string& name, hdf5::Id type, std::size_t d
   if (table.extents.size() != dimensions) damaged("'" + name + "' has rows of another shape");
 }
 
-std::size_t Reader::rows(const std::string& table) const { return open(table).extents[0]; }
+std::size_t Reader::rows(const std::string& table) const { return static_cast<std::size_t>(open(table).extents[0]); }
 
 std::size_t Reader::row_bytes(const std::string& table) const { return open(table).row_bytes; }
 
