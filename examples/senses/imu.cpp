@@ -63,7 +63,9 @@ class Imu : public mimo::Sense {
  private:
   void add(const mimo::SenseOpening& opening, const char* name, const char* unit, double range) const {
     mimo::SenseField field(name, {kPlaces.size(), samples_, 3}, unit, "body");
-    for (const char* place : kPlaces) field.labels.insert(field.labels.end(), 3 * samples_, place);
+    for (const char* place : kPlaces) {
+      for (std::size_t i = 0; i < 3 * samples_; ++i) field.labels.push_back(std::string(place) + "/" + "xyz"[i % 3]);
+    }
     field.low = -range;
     field.high = range;
     opening.add(field);

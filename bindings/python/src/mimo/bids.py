@@ -59,9 +59,10 @@ def write(
     recording: "Union[str, os.PathLike[str]]",
     folder: "Union[str, os.PathLike[str]]",
     fields: Optional[Sequence[str]] = None,
+    own_senses: Sequence[str] = (),
 ) -> List[str]:
     """Writes a data set into a folder, which must be new or empty; returns what has no place in it, as text."""
-    with Kept(recording, fields) as kept:
+    with Kept(recording, fields, own_senses) as kept:
         if not kept.infants:
             raise ValueError(f"{os.fspath(recording)} has no infant, and a data set needs subjects")
         if kept.rate is None:

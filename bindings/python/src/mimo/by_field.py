@@ -27,31 +27,38 @@ IEEE_FLOAT = 3  # format of samples in WAV files
 LARGEST_WAV = 2**32 - 1  # bytes
 
 
-def write_csv(recording: Name, folder: Name, fields: Optional[Sequence[str]] = None) -> List[str]:
+def write_csv(
+    recording: Name, folder: Name, fields: Optional[Sequence[str]] = None, own_senses: Sequence[str] = ()
+) -> List[str]:
     """Writes each table of numbers as FIELD.csv: time (s, of the moment of the row) and a column for each number."""
-    return _write(recording, folder, fields, NUMBERS, ".csv", _csv)
+    return _write(recording, folder, fields, own_senses, NUMBERS, ".csv", _csv)
 
 
-def write_wav(recording: Name, folder: Name, fields: Optional[Sequence[str]] = None) -> List[str]:
+def write_wav(
+    recording: Name, folder: Name, fields: Optional[Sequence[str]] = None, own_senses: Sequence[str] = ()
+) -> List[str]:
     """Writes each sound as FIELD.wav, 32-bit numbers: 1 is 1 Pa."""
-    return _write(recording, folder, fields, SOUND, ".wav", _wav)
+    return _write(recording, folder, fields, own_senses, SOUND, ".wav", _wav)
 
 
-def write_mp4(recording: Name, folder: Name, fields: Optional[Sequence[str]] = None) -> List[str]:
+def write_mp4(
+    recording: Name, folder: Name, fields: Optional[Sequence[str]] = None, own_senses: Sequence[str] = ()
+) -> List[str]:
     """Writes each kept picture field as FIELD.mp4 (H.264), a picture per step."""
-    return _write(recording, folder, fields, PICTURE, ".mp4", _mp4)
+    return _write(recording, folder, fields, own_senses, PICTURE, ".mp4", _mp4)
 
 
 def _write(
     recording: Name,
     folder: Name,
     fields: Optional[Sequence[str]],
+    own_senses: Sequence[str],
     kind: str,
     suffix: str,
     write: Callable[[Kept, Table, Path], None],
 ) -> List[str]:
     """Writes the tables of a kind; returns the files' names."""
-    with Kept(recording, fields) as kept:
+    with Kept(recording, fields, own_senses) as kept:
         chosen = [it for it in kept.tables if it.kind == kind]
         if not chosen:
             keep = {SOUND: "--senses hearing --keep hearing", PICTURE: "--vision 128 --keep vision"}[kind]

@@ -15,11 +15,12 @@ from typing import Any, Callable, Dict, List, Optional
 
 from . import bids, by_field, nwb, usd
 from .errors import Error
+from .recordings import add_sense_option
 from .scene import scenes
 from .world import World
 
 OF_SCENES = ("scene", "seed", "age", "face", "segments")
-OF_RECORDINGS = ("fields", "infant", "start")
+OF_RECORDINGS = ("fields", "infant", "start", "sense")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -40,6 +41,7 @@ def _parser() -> argparse.ArgumentParser:
     recordings.add_argument(
         "--start", metavar="TIME", help="of --nwb, as 2026-05-01T12:00:00+00:00; default: the file's"
     )
+    add_sense_option(recordings)
     of_scenes = parser.add_argument_group("of scenes")
     of_scenes.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark)")
     of_scenes.add_argument("--seed", type=int, help="of the start (0)")
@@ -51,7 +53,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _refuse(asked: argparse.Namespace, names: Any, kind: str) -> None:
     for name in names:
-        if getattr(asked, name) is not None:
+        if getattr(asked, name) not in (None, []):
             raise ValueError(f"--{name} has no effect on {kind}")
 
 
@@ -85,11 +87,11 @@ def _of_recording(asked: argparse.Namespace) -> str:
     _refuse(asked, OF_SCENES, "recordings")
     fields = None if asked.fields is None else [name for name in asked.fields.split(",") if name]
     if asked.nwb is not None:
-        written = nwb.write(asked.recording, asked.nwb, fields, asked.infant or 0, _start(asked.start))
+        written = nwb.write(asked.recording, asked.nwb, fields, asked.infant or 0, _start(asked.start), asked.sense)
         return f"wrote {asked.nwb}: {len(written)} series"
     _refuse(asked, ("infant", "start"), "any but --nwb")
     if asked.bids_motion is not None:
-        left_out = bids.write(asked.recording, asked.bids_motion, fields)
+        left_out = bids.write(asked.recording, asked.bids_motion, fields, asked.sense)
         return f"wrote {asked.bids_motion}" + (f"; no channels of motion: {', '.join(left_out)}" if left_out else "")
     writers: Dict[str, Callable[..., List[str]]] = {
         "csv": by_field.write_csv,
@@ -98,7 +100,7 @@ def _of_recording(asked: argparse.Namespace) -> str:
     }
     (kind,) = [name for name in writers if getattr(asked, name) is not None]
     folder = getattr(asked, kind)
-    return f"wrote {folder}: {_listed(writers[kind](asked.recording, folder, fields))}"
+    return f"wrote {folder}: {_listed(writers[kind](asked.recording, folder, fields, asked.sense))}"
 
 
 def main(given: Optional[List[str]] = None) -> int:

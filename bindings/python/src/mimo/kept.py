@@ -83,12 +83,20 @@ class Kept:
             for table in kept.tables:
                 rows = kept.read(table)
 
-    `fields` chooses senses and fields; the default is all that the recording keeps.
+    `fields` chooses senses and fields; the default is all that the recording keeps. Senses of a user's own that it has
+    are needed: `own_senses` are paths of shared libraries, whose code runs.
     """
 
-    def __init__(self, path: "Union[str, os.PathLike[str]]", fields: Optional[Sequence[str]] = None) -> None:
+    def __init__(
+        self,
+        path: "Union[str, os.PathLike[str]]",
+        fields: Optional[Sequence[str]] = None,
+        own_senses: Sequence[str] = (),
+    ) -> None:
         self.recording = Recording(path)
         try:
+            for sense in own_senses:
+                self.recording.load_sense(sense)
             self._describe(fields)
         except BaseException:
             self.recording.close()

@@ -35,6 +35,7 @@ def write(
     fields: Optional[Sequence[str]] = None,
     infant: int = 0,
     start: Optional[datetime] = None,
+    own_senses: Sequence[str] = (),
 ) -> List[str]:
     """Writes a recording with one infant as the subject; returns the names of the series.
 
@@ -46,7 +47,7 @@ def write(
         raise ValueError(f"start is {start.isoformat()}, expected a time with its time zone, as in ...T12:00:00+00:00")
     pynwb = _need()
     begun = start or datetime.fromtimestamp(os.stat(recording).st_mtime, timezone.utc)
-    with Kept(recording, fields) as kept:
+    with Kept(recording, fields, own_senses) as kept:
         if not 0 <= infant < max(1, len(kept.infants)):
             raise ValueError(f"infant is {infant}, expected 0 to {max(1, len(kept.infants)) - 1}")
         writer = _Writer(pynwb, kept, infant, begun)

@@ -28,7 +28,7 @@ from .display import has_display
 from .drawing import STOPS, STRONG, WEAK
 from .errors import Error, UnsupportedError
 from .layout import Observation
-from .recordings import Recording
+from .recordings import Recording, add_sense_option
 from .selections import Joints
 from .traces import Traces, traces
 from .world import World
@@ -257,11 +257,14 @@ def main() -> int:
     parser.add_argument("--infant", type=int, default=0, help="which one: 0, the first")
     parser.add_argument("--title", default="", help="title above the picture")
     parser.add_argument("--scene", help="scene of the recording, if it does not name its world")
+    add_sense_option(parser)
     asked = parser.parse_args()
     plt.switch_backend("Agg")
     try:
         require_writable(asked.out)
         with Recording(asked.recording) as recording:
+            for sense in asked.sense:
+                recording.load_sense(sense)
             figure = run(traces(recording, asked.infant, asked.scene), asked.title)
         drawn = io.BytesIO()  # matplotlib's PDFs do not survive a full disk
         figure.savefig(drawn, dpi=130, format=os.path.splitext(asked.out)[1][1:] or "png")

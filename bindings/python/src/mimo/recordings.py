@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import ctypes
 import os
 from typing import Any, List, NamedTuple, Optional, Type, Union
@@ -31,6 +32,12 @@ class ReplayReport(NamedTuple):
     first_difference: int  # the first step that differed
     largest_difference: float  # of all numbers
     differs_most_in: str  # its dataset, "" if all were equal
+
+
+def add_sense_option(parser: argparse._ActionsContainer) -> None:
+    """The option of programs that load senses of a user's own."""
+    told = "shared library with a sense of your own, whose code runs; may be given several times"
+    parser.add_argument("--sense", metavar="FILE", action="append", default=[], help=told)
 
 
 class Recording(Handle):

@@ -23,6 +23,7 @@ from .constants import Kind
 from .drawing import EARS, EYES, heat, prefixes, strength, touch_field
 from .errors import Error, UnsupportedError
 from .frames import placed
+from .recordings import add_sense_option
 from .scene import scenes
 from .view.motors import Motors
 from .view.recorded import Recorded
@@ -263,6 +264,7 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
     parser.add_argument("--scene", help=f"one of {', '.join(scenes())} (benchmark)")
     parser.add_argument("--seed", type=int, default=1, help="of a scene (1)")
     parser.add_argument("--age", type=float, help="age of a scene's infants, months")
+    add_sense_option(parser)
     parser.add_argument("--start", type=float, default=0.0, metavar="S", help="start in a recording, s (0)")
     parser.add_argument("--seconds", type=float, metavar="S", help="length, s; the default for a scene is 10")
     parser.add_argument("--eyes", type=int, default=EYES, help=f"pixels of each eye, across and down ({EYES}); 0: none")
@@ -280,10 +282,10 @@ def opened(asked: argparse.Namespace) -> Source:
     if not 0 < asked.full_scale < float("inf"):
         raise ValueError(f"--full-scale is {asked.full_scale:g}, expected more than 0 Pa")
     if asked.recording is None:
-        live = Live.asked(asked.scene, asked.eyes, asked.age)
+        live = Live.asked(asked.scene, asked.eyes, asked.age, own_senses=asked.sense)
         live.restart(asked.seed)
         return live
-    source = Recorded(asked.recording, asked.eyes, asked.scene)
+    source = Recorded(asked.recording, asked.eyes, asked.scene, asked.sense)
     step, length = round(asked.start / source.step_seconds), source.length or 0
     if not 0 <= step < length:
         end = length * source.step_seconds

@@ -9,6 +9,7 @@ from typing import Any, List, Optional
 
 from ..drawing import EYES
 from ..errors import Error
+from ..recordings import add_sense_option
 from ..scene import scenes, tasks
 from .recorded import Recorded
 from .source import Live
@@ -27,6 +28,7 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
     parser.add_argument("--task", default="", help=f"one of {', '.join(tasks())}")
     parser.add_argument("--seed", type=int, default=1, help="seed of the first episode (1)")
     parser.add_argument("--age", type=float, help="of the infants, months")
+    add_sense_option(parser)
     parser.add_argument("--eyes", type=int, default=EYES, help=f"pixels of each eye, across and down ({EYES}); 0: none")
     parser.add_argument("--port", type=int, default=8080, help="port of the page (8080); 0: a free one")
     parser.add_argument("--host", default=LOCAL, help=f"address to listen at ({LOCAL}: from this machine only)")
@@ -37,10 +39,10 @@ def arguments(given: Optional[List[str]] = None) -> argparse.Namespace:
 def made(asked: argparse.Namespace) -> Viewer:
     """The requested viewer."""
     if asked.recording is not None:
-        viewer = Viewer(Recorded(asked.recording, asked.eyes, asked.scene), asked.host, asked.port)
+        viewer = Viewer(Recorded(asked.recording, asked.eyes, asked.scene, asked.sense), asked.host, asked.port)
         viewer.clock.paused = asked.paused
         return viewer
-    source = Live.asked(asked.scene, asked.eyes, asked.age, asked.task)
+    source = Live.asked(asked.scene, asked.eyes, asked.age, asked.task, asked.sense)
     viewer = Viewer(source, asked.host, asked.port, asked.seed, asked.task)
     viewer.clock.paused = asked.paused
     return viewer

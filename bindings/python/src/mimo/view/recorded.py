@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,11 +13,15 @@ from .source import Source
 
 
 class Recorded(Source):
-    """A recording that the viewer plays."""
+    """A recording that the viewer plays. Own senses that it needs are paths of shared libraries, whose code runs."""
 
-    def __init__(self, path: Any, eyes: int = EYES, scene: Optional[str] = None) -> None:
+    def __init__(
+        self, path: Any, eyes: int = EYES, scene: Optional[str] = None, own_senses: Sequence[str] = ()
+    ) -> None:
         self._recording = Recording(path)
         try:
+            for sense in own_senses:
+                self._recording.load_sense(sense)
             self.world = self._recording.world(eyes, scene)
         except BaseException:
             self._recording.close()

@@ -5,13 +5,13 @@ Derive other kinds from Source.
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional, Union
+from typing import Any, Dict, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..drawing import EYES
-from ..scene import Scene
+from ..scene import Scene, prepare
 from ..world import World
 
 
@@ -58,11 +58,14 @@ class Followed(Source):
 
 
 class Live(Source):
-    """A world that the viewer steps."""
+    """A world that the viewer steps. Each infant has the own senses: paths of shared libraries, whose code runs."""
 
     drives = True
 
-    def __init__(self, scene: Union[str, Scene], task: str = "", **options: Any) -> None:
+    def __init__(
+        self, scene: Union[str, Scene], task: str = "", own_senses: Sequence[str] = (), **options: Any
+    ) -> None:
+        self._own_senses = own_senses
         self.scenes = isinstance(scene, str)
         self._options = {**self._usual(), **options} if self.scenes else options
         self.scene = scene if isinstance(scene, str) else scene.source
@@ -74,7 +77,12 @@ class Live(Source):
         return {"vision": True, "vision_width": EYES, "vision_height": EYES, "touch": True, "hearing": True}
 
     def _made(self, scene: Union[str, Scene], task: str) -> World:
-        return World(scene, **{**self._options, **({"task": task} if task else {})})
+        wanted: Any = {**self._options, **({"task": task} if task else {})}
+        made, options = prepare(scene, wanted)
+        for path in self._own_senses:
+            for agent in range(made._agents):
+                made.load_sense(path, agent)
+        return World(made, **options)
 
     def advance(self, action: Optional[NDArray[np.float32]], senses: bool) -> bool:
         """A step of the world."""
@@ -86,14 +94,16 @@ class Live(Source):
         self.world.reset(seed, ages)
 
     @classmethod
-    def asked(cls, scene: Optional[str], eyes: int, age: Optional[float], task: str = "") -> "Live":
+    def asked(
+        cls, scene: Optional[str], eyes: int, age: Optional[float], task: str = "", own_senses: Sequence[str] = ()
+    ) -> "Live":
         """A source for the command line: pixels of each eye, 0 for none; the infants' age in months."""
         options: Dict[str, Any] = {"vision": False}
         if eyes != 0:
             options = {"vision_width": eyes, "vision_height": eyes}
         if age is not None:
             options["age"] = age
-        return cls(scene or "benchmark", task, **options)
+        return cls(scene or "benchmark", task, own_senses, **options)
 
     def change(self, scene: str, task: str) -> None:
         """Changes to another built-in scene, with the same options; closes the old world afterwards."""
