@@ -5,13 +5,13 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "body/body.h"
 #include "engine/present.h"
 
 namespace mimo::actuation::curves {
 namespace {
 
-constexpr double square(double x) { return x * x; }
 constexpr double cube(double x) { return x * x * x; }
 
 // A smooth bump of four parabolas: 0 at and beyond `low` and `high`, 1 at `middle`.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/bytes.h"
+#include "base/functions.h"
 
 namespace mimo {
 
@@ -51,11 +52,11 @@ class Noise {
       return second_;
     }
     constexpr double kTurn = 6.28318530717958647692;
-    const double radius = std::sqrt(-2 * std::log(1 - random_.uniform()));
+    const double radius = std::sqrt(-2 * fixed::log(1 - random_.uniform()));
     const double angle = kTurn * random_.uniform();
-    second_ = radius * std::sin(angle);
+    second_ = radius * fixed::sin(angle);
     left_ = true;
-    return radius * std::cos(angle);
+    return radius * fixed::cos(angle);
   }
 
  private:

@@ -5,13 +5,13 @@
 #include <string_view>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/names.h"
 #include "base/numbers.h"
 
 namespace mimo::body {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Isometry3d;
 using Eigen::Map;
 using Eigen::Quaterniond;
@@ -48,7 +48,7 @@ Isometry3d place(const mjModel& model, const mjData& data, int body, const std::
     }
     const Vector3d at = vector(model.jnt_pos + 3 * joint);
     const Vector3d anchor = position + turn * at;
-    turn = turn * Quaterniond(AngleAxisd(angle - model.qpos0[address], vector(model.jnt_axis + 3 * joint)));
+    turn = turn * turn_about<Quaterniond>(vector(model.jnt_axis + 3 * joint), angle - model.qpos0[address]);
     position = anchor - turn * at;
   }
   return Eigen::Translation3d(position) * turn;
@@ -61,15 +61,15 @@ Isometry3d pose_of(const mjData& data, int body) {
 
 double within(const Joint& joint, double angle) { return std::clamp(angle, joint.low, joint.high); }
 
-double left_of(const Vector3d& v) { return std::atan2(v.y(), v.x()); }
-double up_of(const Vector3d& v) { return std::atan2(v.z(), length_of(v.x(), v.y())); }
+double left_of(const Vector3d& v) { return fixed::atan2(v.y(), v.x()); }
+double up_of(const Vector3d& v) { return fixed::atan2(v.z(), length_of(v.x(), v.y())); }
 
 Sightline sightline(const mjData& data, int camera) {
   const double* matrix = data.cam_xmat + 9 * camera;
   return {vector(data.cam_xpos + 3 * camera), {-matrix[2], -matrix[5], -matrix[8]}};
 }
 
-double angle_between(const Vector3d& a, const Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vector3d& a, const Vector3d& b) { return fixed::atan2(a.cross(b).norm(), a.dot(b)); }
 
 // The head of a body that has one whose joints we know.
 int head_of(const Body& body) {
@@ -166,8 +166,8 @@ double Eyes::turn_eye(const mjModel& model, const Eye& eye, const Vector3d& poin
   angles.push_back({eye.pan.id, eye.pan.qpos, pan});
   angles.push_back({eye.tilt.id, eye.tilt.qpos, tilt});
   angles.push_back({eye.torsion.id, eye.torsion.qpos, within(eye.torsion, 0)});
-  const Vector3d forward = AngleAxisd(eye.pan_sign * pan, Vector3d::UnitZ()) *
-                           (AngleAxisd(-eye.tilt_sign * tilt, Vector3d::UnitY()) * Vector3d::UnitX());
+  const Vector3d forward = turn_about<Quaterniond>(Vector3d(0, 0, 1), eye.pan_sign * pan) *
+                           (turn_about<Quaterniond>(Vector3d(0, 1, 0), -eye.tilt_sign * tilt) * Vector3d::UnitX());
   return angle_between(forward, to);
 }
 

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cctype>
-#include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/names.h"
 #include "base/numbers.h"
 #include "document/attributes.h"
@@ -63,8 +63,8 @@ Quaternion from_euler(const std::vector<double>& angles, const std::string& orde
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t axis = static_cast<std::size_t>(std::tolower(static_cast<unsigned char>(order[i])) - 'x');
     if (axis > 2) fail(Status::kModel, "eulerseq is \"{}\", expected three of x, y, z, X, Y, Z", order);
-    Quaternion turn{std::cos(angles[i] * unit / 2), 0, 0, 0};
-    turn[axis + 1] = std::sin(angles[i] * unit / 2);
+    Quaternion turn{fixed::cos(angles[i] * unit / 2), 0, 0, 0};
+    turn[axis + 1] = fixed::sin(angles[i] * unit / 2);
     whole = order[i] >= 'a' ? product(whole, turn) : product(turn, whole);
   }
   return whole;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/format.h"
+#include "base/functions.h"
 #include "base/names.h"
 #include "base/numbers.h"
 #include "document/check.h"
@@ -139,9 +140,9 @@ class Maker : CompositeParts {
   // Links of a loop start as a regular polygon.
   void bend(pugi::xml_node body, int step) const {
     const double angle = 2 * kPi / count_[0];
-    const double length = 0.5 * composite_.spacing * std::sin(kPi - angle) / std::sin(0.5 * angle);
-    const Position place{step * length * std::cos(0.5 * angle), length * std::sin(0.5 * angle), 0};
-    const std::array<double, 4> turn{std::cos(0.5 * angle), 0, 0, std::sin(step * 0.5 * angle)};
+    const double length = 0.5 * composite_.spacing * fixed::sin(kPi - angle) / fixed::sin(0.5 * angle);
+    const Position place{step * length * fixed::cos(0.5 * angle), length * fixed::sin(0.5 * angle), 0};
+    const std::array<double, 4> turn{fixed::cos(0.5 * angle), 0, 0, fixed::sin(step * 0.5 * angle)};
     set(body, "pos", Span<const double>(place));
     set(body, "quat", Span<const double>(turn));
   }

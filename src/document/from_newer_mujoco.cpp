@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/format.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "document/attributes.h"
 #include "document/defaults.h"
@@ -74,7 +75,7 @@ bool translate(pugi::xml_node camera, const Defaults& defaults, Report& report) 
   const Two pixel{(*sensor)[0] / resolution[0], (*sensor)[1] / resolution[1]};
   const Two focal = on_sensor(defaults, camera, "focal", "focalpixel", pixel);
   if (!(focal[0] > 0 && focal[1] > 0)) return false;
-  const double fovy = 2 * std::atan((*sensor)[1] / 2 / focal[1]) / kDegree;
+  const double fovy = 2 * fixed::atan((*sensor)[1] / 2 / focal[1]) / kDegree;
   set(camera, "fovy", Span<const double>(&fovy, 1));
   tell_losses(camera, *sensor, pixel, focal, on_sensor(defaults, camera, "principal", "principalpixel", pixel), report);
   return true;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "body/body.h"
 #include "engine/contacts.h"
@@ -134,8 +135,8 @@ Stimuli::Stimuli(const mjModel& model, const body::Body& body, double months, do
       root_(body.root),
       head_(body.head),
       withdrawal_(reflexes::withdrawal_force(months)),
-      smoothed_(1 - std::exp(-tick / kQuick)),
-      slow_(1 - std::exp(-tick / kLasting)),
+      smoothed_(1 - fixed::exp(-tick / kQuick)),
+      slow_(1 - fixed::exp(-tick / kLasting)),
       places_(static_cast<std::size_t>(model.nbody)) {
   for (const Reflex reflex : wanted) wanted_[static_cast<std::size_t>(reflex)] = true;
   for (const int own : body.bodies) places_[static_cast<std::size_t>(own)].own = true;
@@ -263,7 +264,7 @@ void Stimuli::feel_face(const mjData& data, const Press& press) {
   const Vec3 at = rotation(data, head_).transpose() * (press.point - Vec3(data.xpos + 3 * head_)) - mouth_.middle;
   for (std::size_t side = 0; side < kSides; ++side) {
     const bool its = (side == 0) == (at.y() > 0);
-    if (!its || at.normalized().dot(mouth_.corners[side]) < std::cos(kCorner)) continue;
+    if (!its || at.normalized().dot(mouth_.corners[side]) < fixed::cos(kCorner)) continue;
     share(Reflex::kRooting)[side] += press.normal_force / reflexes::rule(Reflex::kRooting).threshold;
   }
 }
@@ -291,8 +292,8 @@ void Stimuli::stand(const mjModel& model, const mjData& data) {
   const Vec3 along = rotation(data, trunk_).col(2), ahead = rotation(data, trunk_).col(0);
   const Vec3 left = up.cross(ahead).normalized();
   const Vec3 forward = left.cross(up);
-  const double leaning = std::atan2(along.dot(forward), along.dot(up));
-  if (leaning > kMost || std::abs(along.dot(left)) > std::sin(kSideways)) return;
+  const double leaning = fixed::atan2(along.dot(forward), along.dot(up));
+  if (leaning > kMost || std::abs(along.dot(left)) > fixed::sin(kSideways)) return;
   const double borne = (load_[0] + load_[1]) / (kBorne * weight);
   const double stimulus = std::max(0.0, std::min(borne, leaning / kLeast));
   share(Reflex::kStepping) = {stimulus, stimulus};

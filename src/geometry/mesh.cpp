@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "geometry/texture.h"
 #include "render/model_stage.h"
@@ -56,8 +57,8 @@ struct Outline {
 void add_ring(Mesh& mesh, const Outline& outline, int segments) {
   for (int i = 0; i < segments; ++i) {
     const double angle = 2 * kPi * i / segments;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
+    const double c = fixed::cos(angle);
+    const double s = fixed::sin(angle);
     mesh.add({{outline.radius * c, outline.radius * s, outline.z},
               {outline.normal_radius * c, outline.normal_radius * s, outline.normal_z}});
   }
@@ -144,7 +145,7 @@ Mesh box(const Vec& half) {
 
 // Angles rather than lengths are divided, so that triangles are of similar size.
 Mesh ellipsoid(const Vec& radii, int segments) {
-  const auto even = [](double u) { return std::tan(u * kPi / 4); };
+  const auto even = [](double u) { return fixed::tan(u * kPi / 4); };
   return cube_grid(segments / 4, [&](const Vec& normal, const Vec& along, double u, const Vec& across, double v) {
     const Vec place = (normal + even(u) * along + even(v) * across).normalized();
     return Vertex{place.cwiseProduct(radii), place.cwiseQuotient(radii).normalized()};
@@ -158,8 +159,8 @@ Mesh capsule(double radius, double half, int segments) {
     for (int i = 0; i <= quarter; ++i) {
       const double angle = kPi / 2 * (end < 0 ? i - quarter : i) / quarter;
       const bool pole = std::abs(angle) == kPi / 2;
-      const double c = pole ? 0 : std::cos(angle);
-      outline.push_back({radius * c, end * half + radius * std::sin(angle), c, std::sin(angle)});
+      const double c = pole ? 0 : fixed::cos(angle);
+      outline.push_back({radius * c, end * half + radius * fixed::sin(angle), c, fixed::sin(angle)});
     }
   }
   return turned(outline, segments);

@@ -12,6 +12,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "growth/mechanics.h"
 #include "growth/skeleton.h"
@@ -36,7 +37,7 @@ class Strength {
   Strength(const Skeleton& body, const Skeleton& base, const Growth& growth)
       : body_(body),
         base_(base),
-        matured_(std::pow(median_length_ratio(growth.physiological_age), growth.strength_exponent)),
+        matured_(fixed::pow(median_length_ratio(growth.physiological_age), growth.strength_exponent)),
         neck_(growth.neck_strength * neck_ratio(growth.physiological_age) / neck_ratio(kBaseAge)) {}
 
   // The torque's ratio to the base's.

@@ -1,9 +1,10 @@
 #include "growth/maturity.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
+
+#include "base/functions.h"
 
 namespace mimo::growth {
 namespace {
@@ -30,7 +31,7 @@ constexpr double kMillisecond = 1e-3;
 // newborns, adult from 15 weeks on (McCulloch 1999, Lee 2012). The share is estimated.
 double vision(double age) {
   constexpr double kWeeks = 30.4375 / 7, kFirstSignal = 0.6;  // weeks of a month; share of P1
-  const double p1 = 104 + 156 / (1 + std::exp((age * kWeeks - 6) / 1.7));
+  const double p1 = 104 + 156 / (1 + fixed::exp((age * kWeeks - 6) / 1.7));
   return kFirstSignal * p1 * kMillisecond;
 }
 
@@ -38,7 +39,7 @@ double vision(double age) {
 template <std::size_t kCount>
 double between(const Point (&points)[kCount], double age) {
   const Stretch at = stretch_at(points, age);
-  return at.left * std::pow(at.right / at.left, at.share);
+  return at.left * fixed::pow(at.right / at.left, at.share);
 }
 
 // Cycles per degree, of one eye. Gratings on cards: at birth Brown and Yamamoto 1986; then the mean of Mayer et al.
@@ -88,7 +89,7 @@ double adult(double frequency) {
   if (right == std::begin(kAdult)) return right->level;
   const auto left = right - 1;
   if (right == std::end(kAdult)) return left->level;
-  const double share = std::log(frequency / left->frequency) / std::log(right->frequency / left->frequency);
+  const double share = fixed::log(frequency / left->frequency) / fixed::log(right->frequency / left->frequency);
   return left->level + share * (right->level - left->level);
 }
 
@@ -119,7 +120,7 @@ EyeMaturity eye_maturity_at(double age) {
 }
 
 double hearing_threshold(double age, double frequency) {
-  const double octave = std::clamp(std::log2(frequency / kLowest), 0.0, kFrequencies - 1.0);
+  const double octave = std::clamp(fixed::log2(frequency / kLowest), 0.0, kFrequencies - 1.0);
   const std::size_t below = std::min(static_cast<std::size_t>(octave), kFrequencies - 2);
   const double share = octave - static_cast<double>(below);
   return adult(frequency) + (1 - share) * above_adult(age, below) + share * above_adult(age, below + 1);

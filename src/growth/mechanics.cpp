@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 
 namespace mimo::growth {
@@ -23,7 +24,7 @@ Isometry3d pose(const Vector& position, const std::array<double, 4>& q) {
 
 Isometry3d turned(const Joint& joint, double angle) {
   const Eigen::Translation3d anchor(point(joint.position));
-  return anchor * Eigen::AngleAxisd(angle, point(joint.axis).normalized()) * anchor.inverse();
+  return anchor * turn_about<Eigen::Quaterniond>(point(joint.axis).normalized(), angle) * anchor.inverse();
 }
 
 void check_names(const Skeleton& skeleton, const Angles& angles) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "growth/mechanics.h"
 #include "growth/skeleton.h"
 #include "growth/who.h"
@@ -324,29 +325,29 @@ Lengths lengths(const Skeleton& base, const Drivers& drivers, double age, double
   const double l = drivers.l;
   // What the upper part gains, the legs lose. Written so that all factors are exactly 1 for the base.
   const double shift = stretch * l * (upper + lower) * (sitting_share(age) - sitting_share(kBaseAge));
-  const double thigh = std::pow(l, kThigh), shank = std::pow(l, kShank), foot = std::pow(l, kFoot);
+  const double thigh = fixed::pow(l, kThigh), shank = fixed::pow(l, kShank), foot = fixed::pow(l, kFoot);
   const double closure = (stretch * l * lower - shift) / (was.thigh * thigh + was.shank * shank + was.sole * foot);
   return {stretch * l,
           drivers.h,
           (stretch * l * upper + shift - was.head * drivers.h) / (upper - was.head),
-          stretch * std::pow(l, kUpperArm),
-          stretch * std::pow(l, kForearm),
-          stretch * std::pow(l, kHand),
+          stretch * fixed::pow(l, kUpperArm),
+          stretch * fixed::pow(l, kForearm),
+          stretch * fixed::pow(l, kHand),
           thigh * closure,
           shank * closure,
           foot * closure,
           stretch * foot,
-          stretch * std::pow(l, kFootBreadth),
+          stretch * fixed::pow(l, kFootBreadth),
           closure};
 }
 
 Girths girths(const Drivers& drivers, double closure) {
-  const auto girth = [&](double exponent) { return std::pow(drivers.w, exponent) * closure; };
+  const auto girth = [&](double exponent) { return fixed::pow(drivers.w, exponent) * closure; };
   return {girth(kChest),        girth(kWaist),
           girth(kHip),          girth(kUpperArmGirth),
           girth(kForearmGirth), girth(kHandGirth),
           girth(kThighGirth),   girth(kCalfGirth),
-          girth(kAnkleGirth),   std::pow(drivers.frame, kShoulder)};
+          girth(kAnkleGirth),   fixed::pow(drivers.frame, kShoulder)};
 }
 
 Skeleton resized(const Skeleton& base, const Lengths& lengths, const Girths& girths) {

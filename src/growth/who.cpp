@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "growth/growth.h"
 
 namespace mimo::growth {
@@ -25,7 +26,7 @@ const LmsTable& table(Measure measure, Sex sex) {
   return sex == Sex::kMale ? kHeadMale : kHeadFemale;
 }
 
-double percentile_of(double z) { return 50 * std::erfc(-z / std::sqrt(2.0)); }
+double percentile_of(double z) { return 50 * fixed::erfc(-z / std::sqrt(2.0)); }
 
 double median(Measure measure, double age) { return who(measure, Sex::kMean, age, 0); }
 
@@ -36,7 +37,7 @@ double who(Measure measure, Sex sex, double age, double z) {
   const auto& [of_l, of_m, of_s] = table(measure, sex);
   const double l = at(of_l, age), m = at(of_m, age), s = at(of_s, age);
   // Cole and Green, Statistics in Medicine 11 (1992) 1305-1319.
-  return l == 0 ? m * std::exp(s * z) : m * std::pow(1 + l * s * z, 1 / l);
+  return l == 0 ? m * fixed::exp(s * z) : m * fixed::pow(1 + l * s * z, 1 / l);
 }
 
 double z_of_percentile(double percentile) {

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kQuarter = kBins / 4;
 
 void set_turn(Complexes& turns, std::size_t at, double part) {
-  turns.real[at] = static_cast<float>(std::cos(-2 * kPi * part));
-  turns.imag[at] = static_cast<float>(std::sin(-2 * kPi * part));
+  turns.real[at] = static_cast<float>(fixed::cos(-2 * kPi * part));
+  turns.imag[at] = static_cast<float>(fixed::sin(-2 * kPi * part));
 }
 
 // A number times a turn, by hand: std::complex would look for infinities.
@@ -27,18 +27,18 @@ void put(Complexes& to, std::size_t at, float real, float imag, float cosine, fl
 constexpr double kLowest = 100, kHighest = 7200;  // Hz
 constexpr double kPhaseLimit = 1500;              // Hz, above which the ears' phases are not compared
 
-double band_number(double frequency) { return 21.4 * log_10(1 + 0.00437 * frequency); }
-double frequency_of(double number) { return (std::pow(10, number / 21.4) - 1) / 0.00437; }
+double band_number(double frequency) { return 21.4 * fixed::log10(1 + 0.00437 * frequency); }
+double frequency_of(double number) { return (fixed::pow(10, number / 21.4) - 1) / 0.00437; }
 
 // Power of a filter of the inner ear at a distance in hertz: gammatone of fourth order.
 double passed(double off, double width) {
   const double x = off / (1.019 * width);
-  return std::pow(1 + x * x, -4);
+  return fixed::pow(1 + x * x, -4);
 }
 
 // Power of a Hann window's spectrum, so many bins beside its peak, where it is 1.
 double leaked(double bins) {
-  const auto sinc = [](double x) { return std::abs(x) < 1e-9 ? 1 : std::sin(kPi * x) / (kPi * x); };
+  const auto sinc = [](double x) { return std::abs(x) < 1e-9 ? 1 : fixed::sin(kPi * x) / (kPi * x); };
   const double amplitude = sinc(bins) + 0.5 * sinc(bins - 1) + 0.5 * sinc(bins + 1);
   return amplitude * amplitude;
 }
@@ -111,7 +111,7 @@ Bands::Bands(double rate, const Levels& thresholds) : rate_(rate) {
   const double bin = rate / static_cast<double>(kWindow);
   low_bins_ = std::min(static_cast<std::size_t>(kPhaseLimit / bin), kBins - 1);
   for (std::size_t i = 0; i < kWindow; ++i) {
-    window_[i] = static_cast<float>(0.5 - 0.5 * std::cos(2 * kPi * static_cast<double>(i) / kWindow));
+    window_[i] = static_cast<float>(0.5 - 0.5 * fixed::cos(2 * kPi * static_cast<double>(i) / kWindow));
   }
   // A sine of amplitude A has a peak of A kWindow / 4 in the spectrum of a Hann window, and the mean square A^2 / 2.
   const double peak = kWindow / 4.0;
@@ -121,7 +121,7 @@ Bands::Bands(double rate, const Levels& thresholds) : rate_(rate) {
     const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil((centre - reach) / bin)));
     const auto last = static_cast<std::size_t>(std::min(kBins - 1.0, std::floor((centre + reach) / bin)));
     double sum = 0;  // of what a sine in the middle of the band gives
-    const double least = sound::kReference * sound::kReference * std::pow(10, thresholds[band] / 10);
+    const double least = sound::kReference * sound::kReference * fixed::pow(10, thresholds[band] / 10);
     Band made{first, {}, thresholds[band], static_cast<float>(least), centre < kPhaseLimit};
     for (std::size_t i = first; i <= last; ++i) {
       const double off = static_cast<double>(i) * bin - centre, weight = passed(off, width);
@@ -137,8 +137,8 @@ Bands::Bands(double rate, const Levels& thresholds) : rate_(rate) {
     for (std::size_t lag = 0; lag < kLags; ++lag) {
       const double angle = 2 * kPi * static_cast<double>(i) * (static_cast<double>(lag) - (kLags - 1) / 2.0) /
                            static_cast<double>(kWindow);
-      turns.cosines[lag] = static_cast<float>(std::cos(angle));
-      turns.sines[lag] = static_cast<float>(std::sin(angle));
+      turns.cosines[lag] = static_cast<float>(fixed::cos(angle));
+      turns.sines[lag] = static_cast<float>(fixed::sin(angle));
     }
     turns_.push_back(turns);
   }
@@ -170,7 +170,7 @@ Heard Bands::hear(const std::array<std::array<float, kWindow>, kEars>& samples) 
     for (std::size_t band = 0; band < kBands; ++band) {
       const float sum = sum_of(bands_[band], power);
       if (!(sum > bands_[band].least)) continue;
-      const double level = 10 * log_10(static_cast<double>(sum) / (sound::kReference * sound::kReference));
+      const double level = 10 * fixed::log10(static_cast<double>(sum) / (sound::kReference * sound::kReference));
       heard.levels[ear][band] = static_cast<float>(std::max(0.0, level - bands_[band].threshold));
       low = low || (heard.levels[ear][band] > 0 && bands_[band].low);
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "sound/air.h"
 
@@ -20,7 +21,7 @@ constexpr double kTail = 64;                          // samples after which a f
 
 std::array<Eigen::Vector3d, kEars> ears_of_frame() {
   constexpr double kAzimuth = 100 * kDegree;
-  const double forward = std::cos(kAzimuth), aside = std::sin(kAzimuth);
+  const double forward = fixed::cos(kAzimuth), aside = fixed::sin(kAzimuth);
   return {Eigen::Vector3d(forward, aside, 0), Eigen::Vector3d(forward, -aside, 0)};
 }
 
@@ -50,14 +51,14 @@ Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), cli
     for (std::size_t ear = 0; ear < kEars; ++ear) {
       const std::complex<double> heard = mode.gain * ways[ear].gain * sound::response(ways[ear], mode.frequency);
       amplitude_[ear][modes_] = length_of(heard.real(), heard.imag());
-      phase_[ear][modes_] = std::arg(heard);
+      phase_[ear][modes_] = fixed::atan2(heard.imag(), heard.real());
       loudest = std::max(loudest, amplitude_[ear][modes_]);
     }
     if (loudest <= kInaudible) continue;
     turn_[modes_] = 2 * kPi * mode.frequency / rate;
     decay_[modes_] = decay;
     ++modes_;
-    end = std::max(end, std::max(start_[0], start_[1]) + std::log(loudest / kInaudible) / decay);
+    end = std::max(end, std::max(start_[0], start_[1]) + fixed::log(loudest / kInaudible) / decay);
   }
   end_ = static_cast<std::int64_t>(std::ceil(end));
   prepare();
@@ -65,9 +66,9 @@ Voice::Voice(const Blow& blow, const Ways& ways, double rate) : rate_(rate), cli
 
 void Voice::prepare() {
   for (std::size_t i = 0; i < modes_; ++i) {
-    kept_[i] = std::exp(-decay_[i]);
-    cosine_[i] = std::cos(turn_[i]);
-    sine_[i] = std::sin(turn_[i]);
+    kept_[i] = fixed::exp(-decay_[i]);
+    cosine_[i] = fixed::cos(turn_[i]);
+    sine_[i] = fixed::sin(turn_[i]);
   }
 }
 
@@ -76,11 +77,11 @@ double Voice::remains(std::int64_t now) const {
   for (std::size_t ear = 0; ear < kEars; ++ear) {
     const double gone = std::max(0.0, static_cast<double>(now) - start_[ear]);
     for (std::size_t i = 0; i < modes_; ++i) {
-      const double left = amplitude_[ear][i] * std::exp(-decay_[i] * gone);
+      const double left = amplitude_[ear][i] * fixed::exp(-decay_[i] * gone);
       sum += left * left / (4 * decay_[i]);
     }
     if (click_.scale > 0 && gone < click_.end() * rate_)
-      sum += std::pow(ways_[ear].gain * click_.peak(), 2) * click_.duration * rate_;
+      sum += square(ways_[ear].gain * click_.peak()) * click_.duration * rate_;
   }
   return sum;
 }
@@ -112,9 +113,9 @@ void Voice::add_ringing(std::size_t ear, std::int64_t first, std::int64_t now, S
   const double gone = static_cast<double>(first) - start_[ear];
   std::size_t audible = 0;
   for (std::size_t i = 0; i < modes_; ++i) {
-    const double left = amplitude_[ear][i] * std::exp(-decay_[i] * gone);
+    const double left = amplitude_[ear][i] * fixed::exp(-decay_[i] * gone);
     if (left < kInaudible) continue;
-    const double angle = turn_[i] * gone + phase_[ear][i], s = std::sin(angle), c = std::cos(angle);
+    const double angle = turn_[i] * gone + phase_[ear][i], s = fixed::sin(angle), c = fixed::cos(angle);
     // The two samples before, by the sines of angles that are one and two turns less.
     const double once = s * cosine_[i] - c * sine_[i];
     const double twice = once * cosine_[i] - (c * cosine_[i] + s * sine_[i]) * sine_[i];

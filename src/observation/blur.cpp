@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 
 namespace mimo::observation {
@@ -43,11 +44,11 @@ class Fit {
 
  private:
   void add(double frequency, double sigma) {
-    const double weight = std::pow(std::cos(kPi * frequency), 2);
-    const double lost = 1 - std::exp(-2 * std::pow(kPi * sigma * frequency, 2));
+    const double weight = square(fixed::cos(kPi * frequency));
+    const double lost = 1 - fixed::exp(-2 * square(kPi * sigma * frequency));
     std::array<double, kBeside> by{};
     for (std::size_t k = 0; k < kBeside; ++k)
-      by[k] = 2 - 2 * std::cos(2 * kPi * static_cast<double>(k + 1) * frequency);
+      by[k] = 2 - 2 * fixed::cos(2 * kPi * static_cast<double>(k + 1) * frequency);
     for (std::size_t k = 0; k < kBeside; ++k) {
       lost_[k] += weight * by[k] * lost;
       for (std::size_t l = 0; l < kBeside; ++l) products_[k][l] += weight * by[k] * by[l];
@@ -64,7 +65,7 @@ std::vector<double> sampled(double sigma) {
   double sum = 1;
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const double far = static_cast<double>(k + 1) / sigma;
-    weights[k] = std::exp(-0.5 * far * far);
+    weights[k] = fixed::exp(-0.5 * far * far);
     sum += 2 * weights[k];
   }
   for (double& weight : weights) weight /= sum;

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/functions.h"
+
 namespace mimo::observation {
 namespace {
 
 constexpr double kRedShare = 0.2126, kBlueShare = 0.0722;  // of the luminance
 
 // Light from black to white as 0 to 1, of levels as 0 to 1.
-double linear(double coded) { return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4); }
+double linear(double coded) { return coded <= 0.04045 ? coded / 12.92 : fixed::pow((coded + 0.055) / 1.055, 2.4); }
 
 Light share(double part, double whole) { return static_cast<Light>(std::lround(part * whole)); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "observation/blur.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 // Of the Gaussian that leaves 1 / `contrast` of lines of so many cycles per degree.
 double sigma_of(double cycles, double contrast) {
-  return cycles > 0 ? std::sqrt(std::log(contrast) / 2) / (kPi * cycles) : 0;
+  return cycles > 0 ? std::sqrt(fixed::log(contrast) / 2) / (kPi * cycles) : 0;
 }
 
 // One Gaussian for all colours; that for differences of colours would have to be about twice as wide. Of two, one after
@@ -24,7 +25,7 @@ std::vector<float> kernel_of(const Eyesight& eyes, double pixels_per_degree) {
 double left_of(const std::vector<float>& kernel, double cycles_per_pixel) {
   double left = kernel[0];
   for (std::size_t k = 1; k < kernel.size(); ++k) {
-    left += 2 * static_cast<double>(kernel[k]) * std::cos(2 * kPi * static_cast<double>(k) * cycles_per_pixel);
+    left += 2 * static_cast<double>(kernel[k]) * fixed::cos(2 * kPi * static_cast<double>(k) * cycles_per_pixel);
   }
   return left;
 }
@@ -73,9 +74,9 @@ void set_luminances(const float* luminance, std::size_t planes, std::size_t widt
 double Eyesight::sigma() const { return sigma_of(acuity, peak_contrast); }
 
 double sensitivity(const Eyesight& eyes, double cycles) {
-  const double height = std::log10(eyes.peak_contrast);
-  const double from_peak = std::log10(cycles / eyes.acuity) + std::sqrt(height) / 1.28;
-  return std::pow(10, height - std::pow((from_peak < 0 ? 0.68 : 1.28) * from_peak, 2));
+  const double height = fixed::log10(eyes.peak_contrast);
+  const double from_peak = fixed::log10(cycles / eyes.acuity) + std::sqrt(height) / 1.28;
+  return fixed::pow(10, height - square((from_peak < 0 ? 0.68 : 1.28) * from_peak));
 }
 
 EyeFilter::EyeFilter(std::size_t height, std::size_t width, double pixels_per_degree, const Eyesight& eyes)
@@ -96,7 +97,7 @@ EyeFilter::EyeFilter(std::size_t height, std::size_t width, double pixels_per_de
 
 // A cut-off f belongs to a time constant of 1 / (2 pi f). Rounded, so that the last bit of a library's exp is lost.
 void EyeFilter::advance(double seconds) {
-  const double share = 1 - std::exp(-seconds * 2 * kPi * eyes_.flicker);
+  const double share = 1 - fixed::exp(-seconds * 2 * kPi * eyes_.flicker);
   share_ = static_cast<float>(std::round(share * 65536) / 65536);
 }
 

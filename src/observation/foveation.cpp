@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 
 namespace mimo::observation {
@@ -71,19 +72,19 @@ FovealMap::Place FovealMap::scaled(Place place, double factor) const {
 }
 
 double FovealMap::shrinkage(double r) const {
-  return even() ? 1 : std::log1p(strength_) / strength_ * std::exp(r / corner_ * std::log1p(strength_));
+  return even() ? 1 : fixed::log1p(strength_) / strength_ * fixed::exp(r / corner_ * fixed::log1p(strength_));
 }
 
 FovealMap::Place FovealMap::plain(Place foveated) const {
   const double r = distance(foveated);
   if (even() || r == 0) return foveated;
-  return scaled(foveated, corner_ * std::expm1(r / corner_ * std::log1p(strength_)) / strength_ / r);
+  return scaled(foveated, corner_ * fixed::expm1(r / corner_ * fixed::log1p(strength_)) / strength_ / r);
 }
 
 FovealMap::Place FovealMap::foveated(Place plain) const {
   const double r = distance(plain);
   if (even() || r == 0) return plain;
-  return scaled(plain, corner_ * std::log1p(strength_ * r / corner_) / std::log1p(strength_) / r);
+  return scaled(plain, corner_ * fixed::log1p(strength_ * r / corner_) / fixed::log1p(strength_) / r);
 }
 
 std::array<double, 3> FovealMap::direction(Place foveated) const {
@@ -105,7 +106,7 @@ FovealMap map_of(const Field& picture) {
 
 Foveation::Foveation(std::size_t height, std::size_t width, const FovealMap& map)
     : height_(height), width_(width), map_(map) {
-  const auto levels = static_cast<std::size_t>(std::max(0.0, std::ceil(std::log2(map.shrinkage(map.corner()))))) + 1;
+  const auto levels = static_cast<std::size_t>(std::max(0.0, std::ceil(fixed::log2(map.shrinkage(map.corner()))))) + 1;
   for (std::size_t i = 0; i < height_ * width_; ++i) sources_.push_back(source(i % width_, i / width_));
   row_.resize(kColours * width_);
   for (std::size_t i = 0; i < levels; ++i) {
@@ -118,7 +119,7 @@ Foveation::Foveation(std::size_t height, std::size_t width, const FovealMap& map
 // Rounded, so that the last bit of a library's exp is lost. Along the radius, where it shrinks most.
 Foveation::Source Foveation::source(std::size_t x, std::size_t y) const {
   const FovealMap::Place here = {static_cast<double>(x), static_cast<double>(y)}, from = map_.plain(here);
-  const double level = std::max(0.0, std::log2(map_.shrinkage(map_.distance(here))));
+  const double level = std::max(0.0, fixed::log2(map_.shrinkage(map_.distance(here))));
   return {static_cast<std::int32_t>(std::lround(256 * from[0])), static_cast<std::int32_t>(std::lround(256 * from[1])),
           static_cast<std::uint32_t>(std::lround(256 * level))};
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "render/renderer.h"
 #include "render/stage.h"
@@ -32,9 +33,9 @@ Haze haze_over(const Solid& plane, const render::Air& air, const Sky& sky, const
   haze.by = narrow(to_local(plane, camera.axes.col(1)));
   haze.elevation = static_cast<float>(height / sky.limit);
   haze.radius = static_cast<float>(r);
-  const double alpha = std::atan2(1, r);
+  const double alpha = fixed::atan2(1, r);
   const double beta = 0.75 * kPi - alpha;
-  haze.turn = static_cast<float>(std::sqrt(0.5) * r * std::sin(alpha) / std::sin(beta));
+  haze.turn = static_cast<float>(std::sqrt(0.5) * r * fixed::sin(alpha) / fixed::sin(beta));
   haze.rgb = three(air.haze_color);
   return haze;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "render/renderer.h"
 #include "render/stage.h"
@@ -253,7 +254,7 @@ void Camera::place(const render::Air& air, const render::View& view, double aspe
     wide = std::max(std::abs(view.edges.left), std::abs(view.edges.right));
     return;
   }
-  high = std::tan(view.fovy * kPi / 360);
+  high = fixed::tan(view.fovy * kPi / 360);
   wide = high * aspect_ratio;
 }
 

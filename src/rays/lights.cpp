@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "render/stage.h"
 
@@ -33,7 +34,7 @@ Light light_of(const render::Lights& lights, const render::Poses& poses, int i) 
   if (light.directional) return light;
   const double cutoff = lights.cutoff[i];
   light.spot = cutoff < 180;
-  light.cos_cutoff = static_cast<float>(std::cos(cutoff * kPi / 180));
+  light.cos_cutoff = static_cast<float>(fixed::cos(cutoff * kPi / 180));
   light.exponent = power(lights.exponent[i]);
   light.attenuated = light.attenuation[0] != 1 || light.attenuation[1] != 0 || light.attenuation[2] != 0;
   return light;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 
 namespace mimo::rays {
@@ -54,7 +55,7 @@ Grid grid_for(const Frame& frame, const render::View& view, const render::Pictur
     grid.y = static_cast<float>(view.edges.top - 0.5 * dy);
     return grid;
   }
-  const double top = std::tan(view.fovy * kPi / 360);
+  const double top = fixed::tan(view.fovy * kPi / 360);
   const double step = 2 * top / grid.rows;  // pixels are square
   grid.dx = static_cast<float>(step);
   grid.dy = static_cast<float>(-step);

@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "base/functions.h"
 
 namespace mimo::receptors {
 namespace {
@@ -76,7 +77,7 @@ Vector3d labyrinth_place(bool left, const Vector3d& middle, double radius) {
 // The difference of two ticks is the angular acceleration half a tick ago. Where T2 is longer than that, a low-pass
 // makes it as late (the bilinear transform); where it is shorter, that low-pass would ring, and the last difference but
 // one tells how the acceleration goes on.
-Canals::Canals(double tick) : tick_(tick), kept_(std::exp(-tick / kCanalsForget)) {
+Canals::Canals(double tick) : tick_(tick), kept_(fixed::exp(-tick / kCanalsForget)) {
   constexpr double kEnough = 0.1;  // ticks: closer than that costs below 1 % at 5 Hz
   for (std::size_t i = 0; i < kAfferents; ++i) {
     const double late = kDynamics[i].lag / tick - 0.5;
@@ -122,7 +123,7 @@ void Canals::load(ByteReader& from) {
 // Between ticks the force goes in a straight line: then the filters are exact, however fast their corners are.
 Maculae::Maculae(bool left, double tick) : first_(left ? 0 : kMaculae * kDirections) {
   for (std::size_t i = 0; i < kPoles; ++i) {
-    kept_[i] = std::exp(-kCorners[i] * tick);
+    kept_[i] = fixed::exp(-kCorners[i] * tick);
     taken_[i] = (1 - kept_[i]) / (kCorners[i] * tick);
     passed_[i].setZero();
   }
@@ -157,7 +158,7 @@ void Maculae::load(ByteReader& from) {
   for (Eigen::Vector3d& passed : passed_) passed = take(from, "a macula");
 }
 
-GravityEstimate::GravityEstimate(double tick) : tick_(tick), kept_(std::exp(-tick / kBelief)) {}
+GravityEstimate::GravityEstimate(double tick) : tick_(tick), kept_(fixed::exp(-tick / kBelief)) {}
 
 void GravityEstimate::rest(const Eigen::Vector3d& force) {
   up_ = force;
@@ -168,7 +169,7 @@ void GravityEstimate::rest(const Eigen::Vector3d& force) {
 void GravityEstimate::advance(const Eigen::Vector3d& force, const Eigen::Vector3d& told) {
   const Eigen::Vector3d turning = told + stored_;
   const double angle = turning.norm() * tick_;
-  if (angle > 0) up_ = Eigen::AngleAxisd(-angle, turning.normalized()) * up_;
+  if (angle > 0) up_ = turn_about<Eigen::Quaterniond>(turning.normalized(), -angle) * up_;
   up_ = force + kept_ * (up_ - force);
   stored_ += tick_ * (kStored * told - stored_ / kLeak);
   const double lengths = force.norm() * up_.norm();

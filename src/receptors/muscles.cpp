@@ -14,14 +14,14 @@ constexpr double kTogether = 1 / (1 - kExponent);  // 10/7
 // u / w where u + u^0.3 = w. With y = u^0.3 it is y^(10/3) + y = w, whose left side is convex: Newton's steps from
 // above come down on the root.
 double share_of(double w) {
-  double y = std::min(w, std::pow(w, kExponent));
+  double y = std::min(w, fixed::pow(w, kExponent));
   for (int i = 0; i < 60; ++i) {
-    const double rest = std::pow(y, 1 / kExponent - 1);
+    const double rest = fixed::pow(y, 1 / kExponent - 1);
     const double next = y - (y * rest + y - w) / (rest / kExponent + 1);
     if (next == y) break;
     y = next;
   }
-  return std::pow(y, 1 / kExponent) / w;
+  return fixed::pow(y, 1 / kExponent) / w;
 }
 
 // Between the table's points; x from 0 to 1.
@@ -93,15 +93,15 @@ constexpr double kSlowGain = (0.38 - 0.2 * 0.7) / 1.8, kFastGain = 0.7 - kSlowGa
 
 }  // namespace
 
-Creep::Creep(double tick, double stiffness) : force_(stiffness * std::pow(tick, kExponent)) {
+Creep::Creep(double tick, double stiffness) : force_(stiffness * fixed::pow(tick, kExponent)) {
   for (std::size_t i = 1; i < kSteps; ++i) {
     shares_[i] = share_of(static_cast<double>(i) / static_cast<double>(kSteps - i));
   }
   shares_[kSteps] = 1;
-  for (std::size_t i = 0; i <= kSteps; ++i) powers_[i] = std::pow(static_cast<double>(i) / kSteps, kTogether);
+  for (std::size_t i = 0; i <= kSteps; ++i) powers_[i] = fixed::pow(static_cast<double>(i) / kSteps, kTogether);
 }
 
-double Creep::ease(double damping) const { return std::pow(force_ / damping, kTogether); }
+double Creep::ease(double damping) const { return fixed::pow(force_ / damping, kTogether); }
 
 double Creep::moved(double way, double lever, double ease) const {
   if (lever <= 0 || way == 0) return way;
@@ -111,8 +111,8 @@ double Creep::moved(double way, double lever, double ease) const {
 
 SpindleTick::SpindleTick(double tick)
     : creep(tick, kSensory + kPolar),
-      kept_bag1(std::exp(-tick / kBag1Contracts)),
-      kept_bag2(std::exp(-tick / kBag2Contracts)) {}
+      kept_bag1(fixed::exp(-tick / kBag1Contracts)),
+      kept_bag2(fixed::exp(-tick / kBag2Contracts)) {}
 
 void Spindle::rest(double length, const FusimotorDrive& drive) {
   length_ = length;
@@ -156,7 +156,7 @@ void Spindle::load(ByteReader& from) {
   ease_ = {};
 }
 
-double TendonOrgan::steady_rate(double share) { return kGain * log_of_1_plus(kScale * std::max(0.0, share)); }
+double TendonOrgan::steady_rate(double share) { return kGain * fixed::log1p(kScale * std::max(0.0, share)); }
 
 void TendonOrgan::rest(double share) {
   drive_ = steady_rate(share);

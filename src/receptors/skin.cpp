@@ -50,8 +50,8 @@ double over_threshold(const Threshold (&table)[kCount], double frequency, double
   const Threshold &low = table[i - 1], &high = table[i];
   if (amplitude >= std::max(low.amplitude, high.amplitude)) return 1;
   if (amplitude <= 0.5 * std::min(low.amplitude, high.amplitude)) return 0.5;
-  const double share = std::log(frequency / low.frequency) / std::log(high.frequency / low.frequency);
-  const double threshold = low.amplitude * std::pow(high.amplitude / low.amplitude, share);
+  const double share = fixed::log(frequency / low.frequency) / fixed::log(high.frequency / low.frequency);
+  const double threshold = low.amplitude * fixed::pow(high.amplitude / low.amplitude, share);
   return std::clamp(amplitude / threshold, 0.5, 1.0);
 }
 
@@ -66,7 +66,12 @@ double of_sliding(const Threshold (&table)[kCount], double speed, const Texture&
 constexpr double kHeatCapacity = 3600;  // of a millimetre of skin, J/(m^2 K)
 constexpr double kTouch = 350;          // W/(m^2 K)
 
-Eight bell(const Eight& x) { return (-x * x).exp(); }
+Eight bell(const Eight& x) {
+  constexpr float kLeast = -87;  // nobody feels so little
+  Eight result;
+  for (int i = 0; i < 8; ++i) result[i] = fixed::exp_of_negative(std::max(-x[i] * x[i], kLeast));
+  return result;
+}
 
 constexpr double kSoftness = 0.2e6;  // Pa
 constexpr double kPi = 3.14159265358979323846;
@@ -147,7 +152,7 @@ double resting_temperature(const Surroundings& around) {
 }
 
 double skin_kept(const Surroundings& around, double seconds) {
-  return std::exp(-seconds * (around.blood + around.loss) / kHeatCapacity);
+  return fixed::exp(-seconds * (around.blood + around.loss) / kHeatCapacity);
 }
 
 double interface_temperature(double skin, double other, double other_effusivity) {
@@ -170,7 +175,7 @@ Eight warm_rates(const Eight& temperature, const Eight& change) {
 
 double contact_pressure(double force, double radius) {
   if (!(force > 0) || !(radius > 0)) return 0;
-  const double patch = cube_root(3 * force * radius / (4 * kSoftness));
+  const double patch = fixed::cbrt(3 * force * radius / (4 * kSoftness));
   return force / (kPi * patch * patch);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/functions.h"
+
 namespace mimo::receptors {
 
 // How many afferents a piece of skin has, and how sensitive its region is.
@@ -195,16 +197,16 @@ constexpr double kCtSpeed = 1;  // of their nerves, m/s
 inline double ct_drive(double speed, double temperature) {
   constexpr double kMost = 50, kBestSpeed = 0.03, kCurvature = 0.6, kBestTemperature = 32;
   constexpr double kWidthBelow = 21.33, kWidthAbove = 12.55;  // 0.65 at 18 degrees, 0.53 at 42
-  const double decades = std::log10(speed / kBestSpeed), off = temperature - kBestTemperature;
+  const double decades = fixed::log10(speed / kBestSpeed), off = temperature - kBestTemperature;
   const double share = off / (off < 0 ? kWidthBelow : kWidthAbove);
-  return kMost * std::max(0.0, 1 - kCurvature * decades * decades) * std::exp(-share * share);
+  return kMost * std::max(0.0, 1 - kCurvature * decades * decades) * fixed::exp(-share * share);
 }
 
 // How tired they are, 0 to 1, some seconds later: each impulse takes a share of what is fresh, which comes back slowly.
 inline double ct_fatigue(double before, double drive, double seconds) {
   constexpr double kShare = 0.003, kRecovers = 20;  // of an impulse, s
   const double pace = kShare * drive + 1 / kRecovers, end = kShare * drive / pace;
-  return end + (before - end) * std::exp(-pace * seconds);
+  return end + (before - end) * fixed::exp(-pace * seconds);
 }
 
 }  // namespace mimo::receptors

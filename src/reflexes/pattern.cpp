@@ -1,7 +1,8 @@
 #include "reflexes/pattern.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/functions.h"
 
 namespace mimo::reflexes {
 namespace {
@@ -96,7 +97,7 @@ double share(const Pull& pull, Side side, double seconds, double months) {
 }
 
 double swing(double seconds, bool leads) {
-  const double turn = std::sin(2 * kPi * seconds / kTwoSteps);
+  const double turn = fixed::sin(2 * kPi * seconds / kTwoSteps);
   return std::max(0.0, leads ? turn : -turn);
 }
 

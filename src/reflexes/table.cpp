@@ -1,8 +1,8 @@
 #include "reflexes/table.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/functions.h"
 #include "base/header.h"
 #include "base/numbers.h"
 
@@ -48,7 +48,7 @@ double latency(const Rule& rule, const growth::Conduction& nerves, double sensor
 
 double withdrawal_force(double months) {
   constexpr double kBirth = 0.0118, kYear = 0.0451;  // N
-  return kBirth * std::pow(kYear / kBirth, std::clamp(months / 12, 0.0, 1.0));
+  return kBirth * fixed::pow(kYear / kBirth, std::clamp(months / 12, 0.0, 1.0));
 }
 
 double crossed(double months) { return std::clamp((3 - months) / 2, 0.0, 1.0); }

@@ -4,15 +4,15 @@
 #include <mujoco/mjmodel.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "render/surfaces.h"
 
 namespace mimo::render {
 
-double focal_length(double fovy, double height) { return 0.5 * height / std::tan(fovy * (kPi / 360)); }
+double focal_length(double fovy, double height) { return 0.5 * height / fixed::tan(fovy * (kPi / 360)); }
 
 Eigen::Vector3d project(const View& view, double width, double height, const Eigen::Vector3d& point) {
   const Eigen::Vector3d seen = seen_from(view.rotation, point - view.position);  // right, up, backward
@@ -35,8 +35,8 @@ View camera_view(const mjModel& model, const mjData& data, int camera, double fo
 }
 
 View orbit_view(const Eigen::Vector3d& look_at, double distance, double azimuth, double elevation, double fovy) {
-  const double sin_a = std::sin(azimuth * kPi / 180), cos_a = std::cos(azimuth * kPi / 180);
-  const double sin_e = std::sin(elevation * kPi / 180), cos_e = std::cos(elevation * kPi / 180);
+  const double sin_a = fixed::sin(azimuth * kPi / 180), cos_a = fixed::cos(azimuth * kPi / 180);
+  const double sin_e = fixed::sin(elevation * kPi / 180), cos_e = fixed::cos(elevation * kPi / 180);
   const Eigen::Vector3d forward(cos_e * cos_a, cos_e * sin_a, sin_e);
   View view;
   view.position = look_at - distance * forward;

@@ -3,10 +3,10 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "engine/guard.h"
 
@@ -24,7 +24,8 @@ int most_shown(const mjModel& model) {
 // With the roundings of mjv_updateCamera, so that a view of a camera gives MuJoCo's own picture to the byte.
 mjvGLCamera gl_camera(const mjModel& model, const View& view) {
   const auto near = static_cast<float>(model.vis.map.znear * model.stat.extent);
-  const float top = near * std::tan(static_cast<float>(view.fovy * static_cast<float>(kPi / 360)));
+  const float top =
+      near * static_cast<float>(fixed::tan(static_cast<float>(view.fovy * static_cast<float>(kPi / 360))));
   mjvGLCamera camera{};
   for (int i = 0; i < 3; ++i) {
     camera.pos[i] = static_cast<float>(view.position[i]);

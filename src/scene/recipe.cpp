@@ -9,6 +9,7 @@
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "base/functions.h"
 #include "base/names.h"
 #include "base/numbers.h"
 #include "body/body.h"
@@ -109,7 +110,7 @@ std::vector<Spot> spots() {
   for (int ring = 1; ring <= kRings; ++ring) {
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2 * kPi * i / kDirections, radius = kBetween * ring;
-      spots.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+      spots.push_back({radius * fixed::cos(angle), radius * fixed::sin(angle)});
     }
   }
   return spots;

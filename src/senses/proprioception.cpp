@@ -1,11 +1,11 @@
 #include "senses/proprioception.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/header.h"
 #include "base/numbers.h"
 #include "body/body.h"
@@ -114,8 +114,8 @@ class TendonOrgans : public observation::Process {
       : Process("tendon organs"),
         pairs_(std::move(pairs)),
         pulls_(std::move(pulls)),
-        kept_slow_(std::exp(-TendonOrgan::kSlow * tick)),
-        kept_fast_(std::exp(-TendonOrgan::kFast * tick)),
+        kept_slow_(fixed::exp(-TendonOrgan::kSlow * tick)),
+        kept_fast_(fixed::exp(-TendonOrgan::kFast * tick)),
         organs_(2 * pairs_.size()),
         shares_(2 * pairs_.size()) {}
 

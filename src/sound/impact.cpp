@@ -17,7 +17,7 @@ constexpr double kSquareDecay = 27.6;  // a sine that falls by 60 dB in T has th
 double spectrum(double frequency, double duration) {
   const double turns = 2 * frequency * duration;
   if (std::abs(turns - 1) < 1e-6) return kPi / 4;
-  return std::abs(std::cos(kPi / 2 * turns) / (1 - turns * turns));
+  return std::abs(fixed::cos(kPi / 2 * turns) / (1 - turns * turns));
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ Strike strike(const Struck& a, const Struck& b, double speed) {
   constexpr double kFlattest = 0.1;  // 1/m: two flat sides meet with an edge or a corner, never all at once
   const double curvature = std::max(a.curvature + b.curvature, kFlattest), mass = 1 / inverse;
   const double stiffness = 1 / (compliance(a.solid) + compliance(b.solid));
-  const double duration = 2.87 * std::pow(mass * mass * curvature / (stiffness * stiffness * speed), 0.2);
+  const double duration = 2.87 * fixed::pow(mass * mass * curvature / (stiffness * stiffness * speed), 0.2);
   return {duration, mass, speed};
 }
 
@@ -55,9 +55,9 @@ ClickWave::ClickWave(const Click& click) : click_(click), turn_(kPi / click.dura
 double ClickWave::answer(double time) const {
   if (time <= 0) return 0;
   const double angle = turn_ * time, decay = time / click_.settling;
-  const double steady = lasting_[0] * std::sin(angle) + lasting_[1] * std::cos(angle);
+  const double steady = lasting_[0] * fixed::sin(angle) + lasting_[1] * fixed::cos(angle);
   if (decay > 40) return steady;
-  return steady + std::exp(-decay) * (dying_[0] * std::cos(decay) - dying_[1] * std::sin(decay));
+  return steady + fixed::exp(-decay) * (dying_[0] * fixed::cos(decay) - dying_[1] * fixed::sin(decay));
 }
 
 double ClickWave::at(double time) const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 
 namespace mimo::sound {
@@ -19,8 +20,8 @@ Weights between_samples(double x) {
   double sum = 0;
   for (int k = 0; k < kTaps; ++k) {
     const double off = x + kTaps / 2 - 1 - k;
-    const double sinc = std::abs(off) < 1e-9 ? 1 : std::sin(kPi * off) / (kPi * off);
-    weights[static_cast<std::size_t>(k)] = sinc * (0.5 + 0.5 * std::cos(2 * kPi * off / (kTaps + 1)));
+    const double sinc = std::abs(off) < 1e-9 ? 1 : fixed::sin(kPi * off) / (kPi * off);
+    weights[static_cast<std::size_t>(k)] = sinc * (0.5 + 0.5 * fixed::cos(2 * kPi * off / (kTaps + 1)));
     sum += weights[static_cast<std::size_t>(k)];
   }
   Weights scaled;

@@ -19,7 +19,7 @@ constexpr double kMost = 1e15;                  // steps of the surface, that a 
 
 // The radius of the patch where they touch (Hertz), m.
 double patch(const Struck& a, const Struck& b, double force, double curvature) {
-  return cube_root(0.75 * force * (compliance(a.solid) + compliance(b.solid)) / curvature);
+  return fixed::cbrt(0.75 * force * (compliance(a.solid) + compliance(b.solid)) / curvature);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ bool ScrapeNoise::sound(const ScrapeLevel& level, double speed, double rate, Spa
     corner_ = level.corner;
   }
   const double step = speed_ / (rate * kGrain), count = static_cast<double>(out.size());
-  const double keeps = corner_ > 0 ? std::exp(-2 * kPi * corner_ / rate) : 0;
+  const double keeps = corner_ > 0 ? fixed::exp(-2 * kPi * corner_ / rate) : 0;
   for (std::size_t i = 0; i < out.size(); ++i) {
     const double whole = std::floor(distance_), share = distance_ - whole;
     const auto at = static_cast<std::uint64_t>(whole);

@@ -18,7 +18,7 @@ constexpr double kLowMatch = 2000, kHighMatch = 4000;  // Hz
 // The shortest way round the sphere, in radii.
 double path(double distance, double angle, double cosine) {
   if (cosine >= 1 / distance) return std::sqrt(distance * distance + 1 - 2 * distance * cosine);
-  return std::sqrt(distance * distance - 1) + angle - std::acos(1 / distance);
+  return std::sqrt(distance * distance - 1) + angle - fixed::acos(1 / distance);
 }
 
 // What a source gives at 0 Hz, relative to free air at the middle: the sum over n of (2n + 1) / (n + 1) P_n(cosine) /
@@ -26,13 +26,13 @@ double path(double distance, double angle, double cosine) {
 double at_rest(double rho, double cosine) {
   const double near = 1 / rho, far = std::sqrt(1 - 2 * near * cosine + near * near);
   const double round = cosine > 1 - 1e-9 ? 1 / (1 - near) : (near - cosine + far) / (1 - cosine);
-  return 2 / far - rho * std::log(round);
+  return 2 / far - rho * fixed::log(round);
 }
 
 // What the three parts of a power are at a frequency.
 using Powers = std::array<double, 3>;
 Powers powers_at(double frequency, double rate) {
-  const double half = std::pow(std::sin(kPi * frequency / rate), 2);
+  const double half = square(fixed::sin(kPi * frequency / rate));
   return {1 - half, half, 4 * half * (1 - half)};
 }
 double sum(const Powers& of, const Powers& at) { return of[0] * at[0] + of[1] * at[1] + of[2] * at[2]; }
@@ -50,7 +50,7 @@ SphereFilter sphere_filter(double angle) {
 
 Way way_to_ear(double radius, double distance, double cosine) {
   const double rho = std::max(distance / radius, kNearest), bounded = std::clamp(cosine, -1.0, 1.0);
-  const double angle = std::acos(bounded);
+  const double angle = fixed::acos(bounded);
   const double length = path(rho, angle, bounded);
   Way way{radius / kSpeed * length, 1 / (length * radius), sphere_filter(angle), std::min(radius, kLargest) / kSpeed};
   // High sounds of near sources are as strong as their way is long; low ones go round the sphere like a field at rest.
@@ -82,8 +82,9 @@ Coefficients coefficients(const Way& way, double rate) {
   const double tick = 1 / (rate * way.size);
   // The poles, two real ones or a complex pair, after a tick: their sum and their product.
   const double scale = tick / (2 * f.a2), square = f.a1 * f.a1 - 4 * f.a2, root = std::sqrt(std::abs(square));
-  const double both = std::exp(-scale * f.a1);
-  const double apart = square < 0 ? std::cos(scale * root) : 0.5 * (std::exp(scale * root) + std::exp(-scale * root));
+  const double both = fixed::exp(-scale * f.a1);
+  const double apart =
+      square < 0 ? fixed::cos(scale * root) : 0.5 * (fixed::exp(scale * root) + fixed::exp(-scale * root));
   const double a1 = -2 * both * apart, a2 = both * both;
   // |1 + a1/z + a2/z^2|^2 is a sum of three, of which the first is left at 0 Hz; the zeros' is another such sum.
   const Powers poles = {(1 + a1 + a2) * (1 + a1 + a2), (1 - a1 + a2) * (1 - a1 + a2), -4 * a2};

@@ -37,7 +37,7 @@ Vocal::Vocal(double pitch, const std::array<double, kFormants>& formants, double
     : pitch_(pitch),
       formants_(formants),
       rate_(rate),
-      approach_(1 - std::exp(-static_cast<double>(samples) / (rate * kMuscles))),
+      approach_(1 - fixed::exp(-static_cast<double>(samples) / (rate * kMuscles))),
       number_(number) {}
 
 void Vocal::rest() {
@@ -66,8 +66,8 @@ std::array<Vocal::Resonator, kFormants> Vocal::resonators() const {
   std::array<Resonator, kFormants> made;
   for (std::size_t i = 0; i < kFormants; ++i) {
     const double frequency = std::min(moved[i], kHighest * rate_);
-    const double far = -std::exp(-2 * kPi * kWidths[i] / rate_);
-    const double near = 2 * std::exp(-kPi * kWidths[i] / rate_) * std::cos(2 * kPi * frequency / rate_);
+    const double far = -fixed::exp(-2 * kPi * kWidths[i] / rate_);
+    const double near = 2 * fixed::exp(-kPi * kWidths[i] / rate_) * fixed::cos(2 * kPi * frequency / rate_);
     made[i] = {1 - near - far, near, far};
   }
   return made;
@@ -77,7 +77,7 @@ std::array<Vocal::Resonator, kFormants> Vocal::resonators() const {
 double Vocal::loudness_of_one(const std::array<Resonator, kFormants>& tract, double pitch) const {
   double sum = 0;
   for (int k = 1; k * pitch < rate_ / 2; ++k) {
-    const double angle = 2 * kPi * k * pitch / rate_, c1 = std::cos(angle), s1 = std::sin(angle);
+    const double angle = 2 * kPi * k * pitch / rate_, c1 = fixed::cos(angle), s1 = fixed::sin(angle);
     const double c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1;
     double power = 2 / (kPi * kPi * k * k);
     for (const Resonator& one : tract) {
@@ -105,7 +105,7 @@ bool Vocal::utter(const Utterance& told, Span<float> out) {
   if (silent() && told.loudness == 0) return false;
   move(told);
   const std::array<Resonator, kFormants> tract = resonators();
-  const double pitch = pitch_ * two_to(now_.pitch);
+  const double pitch = pitch_ * fixed::exp2(now_.pitch);
   const double wanted = kCry * now_.loudness * now_.loudness / loudness_of_one(tract, pitch);
   const double slope = (wanted - amplitude_) / static_cast<double>(out.size()), step = pitch / rate_;
   for (std::size_t i = 0; i < out.size(); ++i) {

@@ -2,8 +2,8 @@
 // twice: as the competition BabyBench measures it, down the face, and right, along the camera's axis.
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "engine/model.h"
 #include "tasks/infant.h"
@@ -89,7 +89,7 @@ void Handregard::evaluate(const engine::Physics& physics) {
 // A hand where the axis begins is in no direction.
 bool Handregard::within(const Eigen::Vector3d& offset, const Eigen::Vector3d& axis) const {
   const double distance = offset.norm();
-  return distance > 0 && std::acos(std::clamp(offset.dot(axis) / distance, -1.0, 1.0)) < angle_;
+  return distance > 0 && fixed::acos(std::clamp(offset.dot(axis) / distance, -1.0, 1.0)) < angle_;
 }
 
 void Handregard::save(ByteWriter& to) const {

@@ -1,9 +1,9 @@
 #include "tasks/infant.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "base/names.h"
 #include "engine/contacts.h"
 
@@ -72,9 +72,9 @@ void Tracking::look_at(const Eigen::Vector3d& point, engine::Physics& physics) c
   Eigen::Vector3d to = point - position(physics, head_);
   const double distance = to.norm();
   to.z() -= left_eye_.z();
-  const double swivel = std::atan2(to.y(), to.x());
-  const double tilt = std::atan2(-to.z(), to.x());
-  const double inwards = std::atan2(-left_eye_.y(), distance - left_eye_.x());
+  const double swivel = fixed::atan2(to.y(), to.x());
+  const double tilt = fixed::atan2(-to.z(), to.x());
+  const double inwards = fixed::atan2(-left_eye_.y(), distance - left_eye_.x());
   const std::array<double, 9> angles = {swivel, tilt, 0, inwards, 0, 0, inwards, 0, 0};
   for (std::size_t i = 0; i < angles.size(); ++i) {
     physics.data().qpos[joints_[i].qpos] = std::clamp(angles[i], joints_[i].low, joints_[i].high);

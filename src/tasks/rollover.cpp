@@ -1,7 +1,7 @@
 // Rolling over: the infant lies on its back or its belly and is to turn onto the other side with little effort.
 #include <algorithm>
-#include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "engine/model.h"
 #include "tasks/infant.h"
@@ -102,7 +102,7 @@ double Rollover::posture(const mjData& data) const {
   double sum = 0;
   for (const int body : turning_) {
     const double up = data.xmat[9 * body + 6];
-    sum += std::acos(std::clamp(from_belly_ ? -up : up, -1.0, 1.0)) / kPi;
+    sum += fixed::acos(std::clamp(from_belly_ ? -up : up, -1.0, 1.0)) / kPi;
   }
   return sum / static_cast<double>(turning_.size());
 }

@@ -1,8 +1,8 @@
 #include "growth/original/original.h"
 
 #include <array>
-#include <cmath>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "growth/joints.h"
 #include "growth/mechanics.h"
@@ -55,7 +55,7 @@ double halved(double value, Kind kind) {
 
 double half(Measure measure, double age) {
   const Fit& it = fit(measure);
-  return halved(it.a * std::log(age + it.b) + it.c, it.kind);
+  return halved(it.a * fixed::log(age + it.b) + it.c, it.kind);
 }
 
 double half_at_18(Measure measure) { return halved(fit(measure).at_18, fit(measure).kind); }

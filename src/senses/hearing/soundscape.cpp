@@ -23,7 +23,7 @@ using Vec3 = Eigen::Vector3d;
 
 constexpr double kLongest = 3;  // m: what stands still and is longer in all is a floor or a wall, and does not ring
 
-double ball_of(double volume) { return cube_root(3 * volume / (4 * kPi)); }
+double ball_of(double volume) { return fixed::cbrt(3 * volume / (4 * kPi)); }
 
 Vec3 velocity(const mjModel& model, const mjData& data, int body, const Vec3& point) {
   const Vec3 spin(data.cvel + 6 * body), speed(data.cvel + 6 * body + 3);
@@ -37,7 +37,7 @@ double roundness(const mjModel& model, int geom) {
     case mjGEOM_SPHERE:
     case mjGEOM_CAPSULE:
     case mjGEOM_CYLINDER: return 1 / size[0];
-    case mjGEOM_ELLIPSOID: return 1 / cube_root(size[0] * size[1] * size[2]);
+    case mjGEOM_ELLIPSOID: return 1 / fixed::cbrt(size[0] * size[1] * size[2]);
     default: return 0;
   }
 }
@@ -113,8 +113,8 @@ sound::Struck struck(const mjModel& model, int geom, const sound::Solid& solid) 
       made.length = 4 * a + 2 * b;
       break;
     case mjGEOM_ELLIPSOID:
-      made.curvature = 1 / cube_root(a * b * c);
-      made.radius = cube_root(a * b * c);
+      made.curvature = 1 / fixed::cbrt(a * b * c);
+      made.radius = fixed::cbrt(a * b * c);
       made.length = 2 * (a + b + c);
       break;
     case mjGEOM_BOX:

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/functions.h"
 #include "receptors/skin.h"
 #include "senses/touch/sensors.h"
 #include "senses/touch/surface.h"
@@ -101,7 +102,7 @@ Afferents::Afferents(const std::vector<Patch>& patches, Rattle& rattle, double s
       rattle_(rattle),
       slip_threshold_(slip_threshold),
       tick_(tick),
-      kept_(std::exp(-tick / kSmoothing)),
+      kept_(fixed::exp(-tick / kSmoothing)),
       table_(patches.size()) {}
 
 void Afferents::add(int sensor) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/functions.h"
 #include "engine/contacts.h"
 #include "receptors/skin.h"
 #include "senses/touch/shape.h"
@@ -16,7 +17,7 @@ constexpr double kReach = 2;  // spacings
 double weight(Response response, double distance) {  // in spacings
   if (response == Response::kLinear) return 1 - distance / kReach;
   const double deviations = distance / (kReach / 3);
-  return std::exp(-0.5 * deviations * deviations);
+  return fixed::exp(-0.5 * deviations * deviations);
 }
 
 constexpr double kNoForce = 1e-9;  // N
@@ -65,7 +66,7 @@ void Spread::collect(int anchor, const Vec3& point, double reach) {
   shares_.clear();
   if (offset.norm() >= reach) return;
   const Eigen::Vector2d place = middle.frame.bottomRows<2>() * offset;
-  const double horizon = std::pow(reach + place.norm(), 2);
+  const double horizon = square(reach + place.norm());
   for (const Neighbour& neighbour : skin_.maps().of(anchor)) {
     const double x = static_cast<double>(neighbour.x), y = static_cast<double>(neighbour.y);
     if (x * x + y * y > horizon) break;  // the map is sorted

@@ -1,7 +1,6 @@
 #include "senses/touch/rattle.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/functions.h"
 
@@ -20,7 +19,7 @@ Rattle::Rattle(std::size_t sensors, std::size_t things, double tick)
     : Process("sliding touch"),
       things_(static_cast<double>(things)),
       tick_(tick),
-      kept_(std::exp(-tick / kStage)),
+      kept_(fixed::exp(-tick / kStage)),
       table_(sensors) {}
 
 void Rattle::take_in(const Felt& felt) {
@@ -30,7 +29,7 @@ void Rattle::take_in(const Felt& felt) {
   }
   for (const Prick& prick : felt.pricks()) {
     if (!table_.has(static_cast<std::size_t>(prick.sensor))) continue;
-    const double sharp = prick.pressure / cube_root(felt.of(prick.sensor).normal);
+    const double sharp = prick.pressure / fixed::cbrt(felt.of(prick.sensor).normal);
     sharpness(prick.sensor) = std::max(sharpness(prick.sensor), sharp);
   }
 }

@@ -11,7 +11,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "base/functions.h"
@@ -122,7 +121,7 @@ class Rattle : public observation::Process {
   void prick(Take&& take) const {
     for (std::size_t i = 0; i < table_.size(); ++i) {
       if (!(table_[kDoubt][i] > 0 && table_[kSharpness][i] > 0 && table_[kTold][i] > 0)) continue;
-      take(table_.sensors()[i], table_[kSharpness][i] * cube_root(table_[kTold][i]));
+      take(table_.sensors()[i], table_[kSharpness][i] * fixed::cbrt(table_[kTold][i]));
     }
   }
   // What slides over a sensor, also while it hops: which of things.h, -1 for none, and how fast, m/s.

@@ -7,6 +7,8 @@
 #include <functional>
 
 #include "base/fail.h"
+#include "base/functions.h"
+#include "base/numbers.h"
 
 namespace mimo::senses::touch {
 namespace {
@@ -26,8 +28,8 @@ struct Step {
 Step step_between(const Sensor& from, const Sensor& to, int to_index) {
   const Vec3 chord = to.position - from.position;
   const Vec3 middle = (from.normal() + to.normal()).normalized();
-  const double half_angle = std::acos(std::clamp(middle.dot(from.normal()), -1.0, 1.0));
-  const double length = chord.norm() * (half_angle > 1e-6 ? half_angle / std::sin(half_angle) : 1.0);
+  const double half_angle = fixed::acos(std::clamp(middle.dot(from.normal()), -1.0, 1.0));
+  const double length = chord.norm() * (half_angle > 1e-6 ? half_angle / fixed::sin(half_angle) : 1.0);
   const Vec3 level = chord - chord.dot(middle) * middle;
   const Vec3 along = Eigen::Quaterniond::FromTwoVectors(middle, from.normal()) * level;
   const Vec3 tangent = Eigen::Quaterniond::FromTwoVectors(to.normal(), from.normal()) * to.frame.row(1).transpose();
@@ -97,7 +99,7 @@ class Walk {
     constexpr double kRounding = 1e-9;
     const double square = std::norm(offset), limit = reach_ * reach_;
     if (std::abs(square - limit) > kRounding * limit) return square < limit;
-    return std::abs(offset) <= reach_;
+    return length_of(offset.real(), offset.imag()) <= reach_;
   }
 
   void walk(int source, const Place& here, const Step& step) {

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/functions.h"
 #include "base/numbers.h"
 #include "base/random.h"
 #include "senses/touch/shape.h"
@@ -217,7 +218,7 @@ void connect_across(const Ring& ring, int first, Surface& surface) {
 void add_points(const Ring& ring, Surface& surface) {
   for (int i = 0; i < ring.count; ++i) {
     const double angle = 2 * kPi * i / ring.count;
-    const Vec3 radial(std::cos(angle), std::sin(angle), 0);
+    const Vec3 radial(fixed::cos(angle), fixed::sin(angle), 0);
     surface.points.push_back(
         {ring.radius * radial + ring.z * Vec3::UnitZ(), ring.normal_radial * radial + ring.normal_z * Vec3::UnitZ()});
   }
@@ -374,7 +375,7 @@ Surface sample_sphere(double radius, double spacing) {
   const int count = static_cast<int>(std::ceil(kPi * radius / spacing));
   for (int i = 0; i < count; ++i) {
     const double polar = (i + 0.5) * kPi / count;
-    const double sine = std::sin(polar), cosine = std::cos(polar);
+    const double sine = fixed::sin(polar), cosine = fixed::cos(polar);
     const int around = static_cast<int>(round_even(2 * kPi * radius * sine / spacing));
     rings.push_back({radius * sine, radius * cosine, sine, cosine, around});
   }
@@ -399,7 +400,7 @@ Surface sample_capsule(double radius, double half_length, double spacing) {
   const int steps = static_cast<int>(std::ceil(kPi * radius / (2 * spacing)));
   for (int i = 0; i < steps; ++i) {
     const double polar = i * kPi / (2 * steps);
-    const double sine = std::sin(polar), cosine = std::cos(polar);
+    const double sine = fixed::sin(polar), cosine = fixed::cos(polar);
     const int count = count_around(radius * sine, spacing);
     if (count < 2) {
       if (i == 0) rings.push_back({0, half_length + radius, 0, 1, 1});

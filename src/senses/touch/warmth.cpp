@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "body/face.h"
 #include "receptors/skin.h"
 
@@ -53,8 +54,8 @@ Warmth::Warmth(const std::vector<Patch>& patches, const Things& things, double t
       rest_(receptors::resting_temperature({37, things.air})),
       tick_(tick),
       kept_(receptors::skin_kept({37, things.air}, tick)),
-      kept_cold_(std::exp(-tick / receptors::kColdLag)),
-      kept_warm_(std::exp(-tick / receptors::kWarmLag)),
+      kept_cold_(fixed::exp(-tick / receptors::kColdLag)),
+      kept_warm_(fixed::exp(-tick / receptors::kWarmLag)),
       cold_at_rest_(receptors::cold_rates(Eight::Constant(as_told(rest_)), Eight::Zero())[0]),
       warm_at_rest_(receptors::warm_rates(Eight::Constant(as_told(rest_)), Eight::Zero())[0]),
       touched_(patches.size()),
@@ -227,7 +228,7 @@ void Warmth::load(ByteReader& from) {
 }
 
 Pain::Pain(const std::vector<Patch>& patches, double tick)
-    : patches_(patches), kept_(std::exp(-tick / receptors::kFastAdapts)), table_(patches.size()) {}
+    : patches_(patches), kept_(fixed::exp(-tick / receptors::kFastAdapts)), table_(patches.size()) {}
 
 void Pain::prick(int sensor, double pressure) {
   const receptors::Region region = patches_[static_cast<std::size_t>(sensor)].region;
