@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <tuple>
 
 namespace mimo {
 namespace {
@@ -154,16 +155,12 @@ TEST(Functions, SmallExponentialsAreGoodToTwoDigits) {
 }
 
 TEST(Functions, TurnsAreThoseOfTheRightHand) {
-  struct Turn {
-    Turn(double w, double x, double y, double z) : w(w), x(x), y(y), z(z) {}
-    double w, x, y, z;
-  };
   const double axis[] = {0, 0, 1};
-  const auto turn = turn_about<Turn>(axis, std::acos(0.5));  // 60 degrees
-  EXPECT_NEAR(turn.w, std::sqrt(0.75), kDigit);
-  EXPECT_NEAR(turn.z, 0.5, kDigit);
-  EXPECT_EQ(turn.x, 0);
-  EXPECT_EQ(turn.y, 0);
+  const auto [w, x, y, z] = turn_about<std::tuple<double, double, double, double>>(axis, std::acos(0.5));  // 60 degrees
+  EXPECT_NEAR(w, std::sqrt(0.75), kDigit);
+  EXPECT_NEAR(z, 0.5, kDigit);
+  EXPECT_EQ(x, 0);
+  EXPECT_EQ(y, 0);
 }
 
 TEST(Functions, QuotientsAreThoseOfComplexNumbers) {
