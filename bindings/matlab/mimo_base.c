@@ -1,7 +1,7 @@
 /*
- * Errors, arguments, and the tables of scenes and worlds. * * MATLAB holds numbers of scenes and worlds. Tables in this
- * file have the handles. While there are any, the gateway is locked in memory, so that "clear all" does not lose them.
- * Numbers of scenes follow those of worlds.
+ * Errors, arguments, and the tables of worlds, scenes and stages. MATLAB holds their numbers; tables in this file have
+ * the handles. While there are any, the gateway is locked in memory, so that "clear all" does not lose them. Numbers of
+ * scenes follow those of worlds, and numbers of stages those of scenes.
  */
 #include "mimo_base.h"
 
@@ -15,7 +15,8 @@
 enum { kTable = 256, kMessage = 1024 };
 static worlds table[kTable];
 static mimo_scene* scenes[kTable];
-static size_t living; /* in both */
+static mimo_stage* stages[kTable];
+static size_t living; /* in all of them */
 static mimo_scene* making;
 
 void mimo_making(mimo_scene* scene) {
@@ -198,8 +199,16 @@ static mimo_scene** find_scene(double number) {
   return place >= 0 && scenes[place] != NULL ? &scenes[place] : NULL;
 }
 
+static mimo_stage** find_stage(double number) {
+  const int place = place_of(number, 2 * kTable + 1);
+  return place >= 0 && stages[place] != NULL ? &stages[place] : NULL;
+}
+
 static void refuse_handle(const char* expected, double number) {
-  const char* what = find_worlds(number) != NULL ? "a world" : find_scene(number) != NULL ? "a scene" : NULL;
+  const char* what = find_worlds(number) != NULL  ? "a world"
+                     : find_scene(number) != NULL ? "a scene"
+                     : find_stage(number) != NULL ? "a stage"
+                                                  : NULL;
   if (what != NULL) mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "%g is %s, expected a %s", number, what, expected);
   mexErrMsgIdAndTxt("mimo:BAD_HANDLE", "there is no %s %g; it was closed or never existed", expected, number);
 }
@@ -222,6 +231,13 @@ mimo_scene* mimo_scene_of(const mxArray* number) {
   mimo_scene** scene = find_scene(value);
   if (scene == NULL) refuse_handle("scene", value);
   return *scene;
+}
+
+mimo_stage* mimo_stage_of(const mxArray* number) {
+  const double value = mimo_number(number, "stage");
+  mimo_stage** stage = find_stage(value);
+  if (stage == NULL) refuse_handle("stage", value);
+  return *stage;
 }
 
 static size_t index_at(size_t count, const char* what, int nin, const mxArray* in[], int at) {
@@ -338,6 +354,18 @@ void mimo_keep_scene(double number, mimo_scene* scene) {
   if (living++ == 0) mexLock();
 }
 
+double mimo_new_stage(void) {
+  size_t i;
+  for (i = 0; i < kTable && stages[i] != NULL; ++i) continue;
+  mimo_need(i < kTable, "there are already 256 stages; close some");
+  return (double)(2 * kTable + 1 + i);
+}
+
+void mimo_keep_stage(double number, mimo_stage* stage) {
+  stages[place_of(number, 2 * kTable + 1)] = stage;
+  if (living++ == 0) mexLock();
+}
+
 static void one_less(void) {
   if (--living == 0) mexUnlock();
 }
@@ -349,12 +377,18 @@ void mimo_close_worlds(worlds* all) {
 
 void mimo_close_number(const mxArray* number) {
   mimo_scene** scene = find_scene(mimo_number(number, "world"));
-  if (scene == NULL) {
+  mimo_stage** stage = find_stage(mimo_number(number, "world"));
+  if (scene == NULL && stage == NULL) {
     mimo_close_worlds(mimo_any_worlds_of(number));
     return;
   }
-  mimo_scene_destroy(*scene);
-  *scene = NULL;
+  if (scene != NULL) {
+    mimo_scene_destroy(*scene);
+    *scene = NULL;
+  } else {
+    mimo_stage_destroy(*stage);
+    *stage = NULL;
+  }
   one_less();
 }
 
@@ -364,6 +398,8 @@ void mimo_close_all(void) {
     free_worlds(&table[i]);
     mimo_scene_destroy(scenes[i]);
     scenes[i] = NULL;
+    mimo_stage_destroy(stages[i]);
+    stages[i] = NULL;
   }
   mimo_making(NULL);
 }

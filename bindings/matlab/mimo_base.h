@@ -1,5 +1,5 @@
 /*
- * The base of all parts of the gateway: errors, arguments, and the tables of scenes and worlds. The parts
+ * The base of all parts of the gateway: errors, arguments, and the tables of worlds, scenes and stages. The parts
  * with commands are
  *
  *   mimo_mex.c         the gateway itself, which finds a command in the others;
@@ -10,6 +10,7 @@
  *   mimo_recordings.c  recordings;
  *   mimo_sight.c       gaze and pictures;
  *   mimo_engines.c     shapes, materials, textures, lights and poses for engines;
+ *   mimo_stages.c      pictures of plain arrays;
  *   mimo_report.c      descriptions of worlds and of the library.
  *
  * They use mimo_arrays.c (arrays and structs), mimo_options.c (names and values), mimo_words.c (words for constants)
@@ -77,7 +78,12 @@ double mimo_new_scene(void);
 void mimo_keep_scene(double number, mimo_scene* scene);
 mimo_scene* mimo_scene_of(const mxArray* number);
 
-/* Frees worlds, or the scene or the worlds of a number. */
+/* The same for stages. */
+double mimo_new_stage(void);
+void mimo_keep_stage(double number, mimo_stage* stage);
+mimo_stage* mimo_stage_of(const mxArray* number);
+
+/* Frees worlds, or what a number stands for: worlds, a scene or a stage. */
 void mimo_close_worlds(worlds* all);
 void mimo_close_number(const mxArray* number);
 

@@ -1,5 +1,5 @@
 function mimo_close(world)
-% MIMO_CLOSE  Frees a world or a scene.
-%   mimo_close(world) frees a number that mimo_create or mimo_scene returned. The number is invalid afterwards.
+% MIMO_CLOSE  Frees a world, a scene or a stage.
+%   mimo_close(world) frees a number that mimo_create, mimo_scene or mimo_stage returned. The number is invalid afterwards.
 mimo_mex('close', world);
 end

@@ -18,7 +18,7 @@ typedef struct enumeration {
 } enumeration;
 
 /* A member of a struct of mimo.h. A list of them ends with a name that is NULL. */
-typedef enum kind { kSwitch, kUnsigned, kWide, kSize, kSigned, kFloats, kNumbers, kText } kind;
+typedef enum kind { kSwitch, kUnsigned, kWide, kSize, kSigned, kFloats, kNumbers, kText, kBytes } kind;
 typedef struct member {
   const char* name;
   kind kind;
@@ -26,6 +26,23 @@ typedef struct member {
   size_t offset;
   const enumeration* words; /* NULL: it takes none */
 } member;
+
+/* An array of a part of a stage. A list of them ends with a name that is NULL. */
+typedef struct stage_array {
+  const char* name;
+  kind kind;
+  size_t width; /* numbers of an element */
+  size_t offset, length;
+  int places; /* whether it holds places in another array */
+  const enumeration* words;
+} stage_array;
+
+/* A struct of a stage: its arrays, and further numbers. */
+typedef struct stage_part {
+  size_t size;
+  const stage_array* arrays;
+  const member* numbers;
+} stage_part;
 
 typedef struct quantity {
   const char* name;

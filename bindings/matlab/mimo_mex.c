@@ -12,12 +12,13 @@
 #include "mimo_report.h"
 #include "mimo_scenes.h"
 #include "mimo_sight.h"
+#include "mimo_stages.h"
 #include "mimo_worlds.h"
 
 static const mimo_command* find(const char* name) {
-  const mimo_command* parts[] = {mimo_world_commands,  mimo_layout_commands,   mimo_access_commands,
-                                 mimo_sight_commands,  mimo_scene_commands,    mimo_report_commands,
-                                 mimo_engine_commands, mimo_recording_commands};
+  const mimo_command* parts[] = {mimo_world_commands,  mimo_layout_commands,    mimo_access_commands,
+                                 mimo_sight_commands,  mimo_scene_commands,     mimo_report_commands,
+                                 mimo_engine_commands, mimo_recording_commands, mimo_stage_commands};
   const mimo_command* command;
   size_t i;
   for (i = 0; i < sizeof parts / sizeof *parts; ++i)

@@ -85,6 +85,12 @@ static void set_numbers(double* to, size_t count, const char* name, const mxArra
     mimo_read_numbers(to, count, name, value);
 }
 
+static void set_floats(float* to, size_t count, const char* name, const mxArray* value) {
+  const double* numbers = mimo_vector(value, name, count);
+  size_t i;
+  for (i = 0; i < count; ++i) to[i] = (float)numbers[i];
+}
+
 static void set_option(void* config, const member* option, const mxArray* value) {
   char* to = (char*)config + option->offset;
   const char* name = option->name;
@@ -102,6 +108,7 @@ static void set_option(void* config, const member* option, const mxArray* value)
     case kWide: *(uint64_t*)to = (uint64_t)mimo_whole(value, name, 0, 9007199254740992.0); break;
     case kSigned: *(int32_t*)to = (int32_t)mimo_whole(value, name, -2147483648.0, 2147483647.0); break;
     case kNumbers: set_numbers((double*)to, option->count, name, value); break;
+    case kFloats: set_floats((float*)to, option->count, name, value); break;
     default: *(const char**)to = mimo_text(value, name); break;
   }
 }

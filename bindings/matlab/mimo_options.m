@@ -192,6 +192,38 @@ function mimo_options()
 %     replace               1: a whole recording that is there, and that no program is using, is replaced. 0 (default):
 %                           it stays, and the recorder is refused.
 %
+%   What a stage is in: the struct that mimo_stage takes for its air:
+%     headlight             1: the camera carries a light. Default 1.
+%     near_plane            m, > 0: nothing nearer is drawn. Default .01.
+%     far_plane             m, > near_plane: nothing farther is drawn. Default 50.
+%     fog_start             m: where fog begins. Default 3.
+%     fog_end               m: where nothing else is seen. Default 10.
+%     haze                  Height of the haze at the horizon, a share of the sky, 0 to 1. Default .3.
+%     fog_color             Red, green, blue. Default black.
+%     haze_color            Likewise. Default white.
+%     ambient               Of the headlight. Default .1.
+%     diffuse               Likewise. Default .4.
+%     specular              Likewise. Default .5.
+%     sun_reach             m: lights of parallel rays let things cast shadows that are in front of their position and
+%                           no farther from their axis, to each side, as the shadow maps of MuJoCo's OpenGL do; 0
+%                           (default): all things.
+%
+%   A picture of a stage: the struct that mimo_stage_draw takes for a view:
+%     height                Pixels, 1 to 16384. Default 240.
+%     width                 Pixels, 1 to 16384. Default 320.
+%     render                Words of Render. Default: all but fog.
+%     samples               Rays per pixel of colours: 1, 4, 16 or 64; 0 (default): 1. Depth and segmentation are those
+%                           of the middle of the pixel.
+%     geom_groups           Bit n: geoms of group n are shown. Default 0x7: groups 0, 1 and 2.
+%     site_groups           Likewise. Default 0x7.
+%     surface_groups        Likewise. Default 0x7.
+%     tendon_groups         Likewise. Default 0x7.
+%     fovy                  Vertical field of view, degrees, > 0 and < 180. Default 45.
+%     focal_x               Focal length along x, pixels, > 0; 0 (default): fovy counts.
+%     focal_y               Likewise along y.
+%     center_x              With focal lengths: the principal point, pixels from the left edge.
+%     center_y              Likewise from the upper edge.
+%
 %   Words of Place: Which point of an infant lies at its position.
 %     'scene'               The scene's own place for an infant.
 %     'root'                The origin of its root body mimo_location; standing soles are 0.33 m below.

@@ -650,6 +650,39 @@ const member mimo_recorder_options[] = {
     {NULL, kText, 0, 0, NULL},
 };
 
+const member mimo_stage_air_options[] = {
+    {"headlight", kSwitch, 1, offsetof(mimo_stage_air, headlight), NULL},
+    {"near_plane", kNumbers, 1, offsetof(mimo_stage_air, near_plane), NULL},
+    {"far_plane", kNumbers, 1, offsetof(mimo_stage_air, far_plane), NULL},
+    {"fog_start", kNumbers, 1, offsetof(mimo_stage_air, fog_start), NULL},
+    {"fog_end", kNumbers, 1, offsetof(mimo_stage_air, fog_end), NULL},
+    {"haze", kNumbers, 1, offsetof(mimo_stage_air, haze), NULL},
+    {"fog_color", kFloats, 3, offsetof(mimo_stage_air, fog_color), NULL},
+    {"haze_color", kFloats, 3, offsetof(mimo_stage_air, haze_color), NULL},
+    {"ambient", kFloats, 3, offsetof(mimo_stage_air, ambient), NULL},
+    {"diffuse", kFloats, 3, offsetof(mimo_stage_air, diffuse), NULL},
+    {"specular", kFloats, 3, offsetof(mimo_stage_air, specular), NULL},
+    {"sun_reach", kNumbers, 1, offsetof(mimo_stage_air, sun_reach), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_stage_view_options[] = {
+    {"height", kUnsigned, 1, offsetof(mimo_stage_view, height), NULL},
+    {"width", kUnsigned, 1, offsetof(mimo_stage_view, width), NULL},
+    {"render", kUnsigned, 1, offsetof(mimo_stage_view, render), &mimo_render_words},
+    {"samples", kUnsigned, 1, offsetof(mimo_stage_view, samples), NULL},
+    {"geom_groups", kUnsigned, 1, offsetof(mimo_stage_view, geom_groups), NULL},
+    {"site_groups", kUnsigned, 1, offsetof(mimo_stage_view, site_groups), NULL},
+    {"surface_groups", kUnsigned, 1, offsetof(mimo_stage_view, surface_groups), NULL},
+    {"tendon_groups", kUnsigned, 1, offsetof(mimo_stage_view, tendon_groups), NULL},
+    {"fovy", kNumbers, 1, offsetof(mimo_stage_view, fovy), NULL},
+    {"focal_x", kNumbers, 1, offsetof(mimo_stage_view, focal_x), NULL},
+    {"focal_y", kNumbers, 1, offsetof(mimo_stage_view, focal_y), NULL},
+    {"center_x", kNumbers, 1, offsetof(mimo_stage_view, center_x), NULL},
+    {"center_y", kNumbers, 1, offsetof(mimo_stage_view, center_y), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
 const member mimo_action_members[] = {
     {"name", kText, 1, offsetof(mimo_action, name), NULL},
     {"unit", kText, 1, offsetof(mimo_action, unit), NULL},
@@ -768,3 +801,159 @@ const member mimo_timing_members[] = {
     {"hearing", kNumbers, 1, offsetof(mimo_timing, hearing), NULL},
     {NULL, kText, 0, 0, NULL},
 };
+
+static const stage_array stage_shapes_arrays[] = {
+    {"forms", kSigned, 1, offsetof(mimo_stage_shapes, forms), offsetof(mimo_stage_shapes, count), 0, &mimo_form_words},
+    {"sizes", kNumbers, 3, offsetof(mimo_stage_shapes, sizes), offsetof(mimo_stage_shapes, count), 0, NULL},
+    {"colors", kFloats, 4, offsetof(mimo_stage_shapes, colors), offsetof(mimo_stage_shapes, count), 0, NULL},
+    {"materials", kSigned, 1, offsetof(mimo_stage_shapes, materials), offsetof(mimo_stage_shapes, count), 1, NULL},
+    {"groups", kSigned, 1, offsetof(mimo_stage_shapes, groups), offsetof(mimo_stage_shapes, count), 0, NULL},
+    {"data", kSigned, 1, offsetof(mimo_stage_shapes, data), offsetof(mimo_stage_shapes, count), 1, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_shapes_numbers[] = {
+    {"object_type", kSigned, 1, offsetof(mimo_stage_shapes, object_type), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_shapes_part = {sizeof(mimo_stage_shapes), stage_shapes_arrays, stage_shapes_numbers};
+
+static const stage_array stage_meshes_arrays[] = {
+    {"vertex_counts", kSigned, 1, offsetof(mimo_stage_meshes, vertex_counts), offsetof(mimo_stage_meshes, count), 0, NULL},
+    {"normal_counts", kSigned, 1, offsetof(mimo_stage_meshes, normal_counts), offsetof(mimo_stage_meshes, count), 0, NULL},
+    {"texcoord_counts", kSigned, 1, offsetof(mimo_stage_meshes, texcoord_counts), offsetof(mimo_stage_meshes, count), 0, NULL},
+    {"triangle_counts", kSigned, 1, offsetof(mimo_stage_meshes, triangle_counts), offsetof(mimo_stage_meshes, count), 0, NULL},
+    {"vertices", kFloats, 3, offsetof(mimo_stage_meshes, vertices), offsetof(mimo_stage_meshes, vertex_total), 0, NULL},
+    {"normals", kFloats, 3, offsetof(mimo_stage_meshes, normals), offsetof(mimo_stage_meshes, normal_total), 0, NULL},
+    {"texcoords", kFloats, 2, offsetof(mimo_stage_meshes, texcoords), offsetof(mimo_stage_meshes, texcoord_total), 0, NULL},
+    {"triangles", kSigned, 3, offsetof(mimo_stage_meshes, triangles), offsetof(mimo_stage_meshes, triangle_total), 1, NULL},
+    {"normal_triangles", kSigned, 3, offsetof(mimo_stage_meshes, normal_triangles), offsetof(mimo_stage_meshes, triangle_total), 1, NULL},
+    {"texcoord_triangles", kSigned, 3, offsetof(mimo_stage_meshes, texcoord_triangles), offsetof(mimo_stage_meshes, triangle_total), 1, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_meshes_numbers[] = {
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_meshes_part = {sizeof(mimo_stage_meshes), stage_meshes_arrays, stage_meshes_numbers};
+
+static const stage_array stage_fields_arrays[] = {
+    {"rows", kSigned, 1, offsetof(mimo_stage_fields, rows), offsetof(mimo_stage_fields, count), 0, NULL},
+    {"columns", kSigned, 1, offsetof(mimo_stage_fields, columns), offsetof(mimo_stage_fields, count), 0, NULL},
+    {"sizes", kNumbers, 4, offsetof(mimo_stage_fields, sizes), offsetof(mimo_stage_fields, count), 0, NULL},
+    {"heights", kFloats, 1, offsetof(mimo_stage_fields, heights), offsetof(mimo_stage_fields, height_total), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_fields_numbers[] = {
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_fields_part = {sizeof(mimo_stage_fields), stage_fields_arrays, stage_fields_numbers};
+
+static const stage_array stage_textures_arrays[] = {
+    {"types", kSigned, 1, offsetof(mimo_stage_textures, types), offsetof(mimo_stage_textures, count), 0, &mimo_texture_type_words},
+    {"widths", kSigned, 1, offsetof(mimo_stage_textures, widths), offsetof(mimo_stage_textures, count), 0, NULL},
+    {"heights", kSigned, 1, offsetof(mimo_stage_textures, heights), offsetof(mimo_stage_textures, count), 0, NULL},
+    {"channels", kSigned, 1, offsetof(mimo_stage_textures, channels), offsetof(mimo_stage_textures, count), 0, NULL},
+    {"pixels", kBytes, 1, offsetof(mimo_stage_textures, pixels), offsetof(mimo_stage_textures, pixel_bytes), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_textures_numbers[] = {
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_textures_part = {sizeof(mimo_stage_textures), stage_textures_arrays, stage_textures_numbers};
+
+static const stage_array stage_materials_arrays[] = {
+    {"colors", kFloats, 4, offsetof(mimo_stage_materials, colors), offsetof(mimo_stage_materials, count), 0, NULL},
+    {"emission", kFloats, 1, offsetof(mimo_stage_materials, emission), offsetof(mimo_stage_materials, count), 0, NULL},
+    {"specular", kFloats, 1, offsetof(mimo_stage_materials, specular), offsetof(mimo_stage_materials, count), 0, NULL},
+    {"shininess", kFloats, 1, offsetof(mimo_stage_materials, shininess), offsetof(mimo_stage_materials, count), 0, NULL},
+    {"reflectance", kFloats, 1, offsetof(mimo_stage_materials, reflectance), offsetof(mimo_stage_materials, count), 0, NULL},
+    {"textures", kSigned, 1, offsetof(mimo_stage_materials, textures), offsetof(mimo_stage_materials, count), 1, NULL},
+    {"repeats", kFloats, 2, offsetof(mimo_stage_materials, repeats), offsetof(mimo_stage_materials, count), 0, NULL},
+    {"uniform", kBytes, 1, offsetof(mimo_stage_materials, uniform), offsetof(mimo_stage_materials, count), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_materials_numbers[] = {
+    {"from_corner", kUnsigned, 1, offsetof(mimo_stage_materials, from_corner), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_materials_part = {sizeof(mimo_stage_materials), stage_materials_arrays, stage_materials_numbers};
+
+static const stage_array stage_surfaces_arrays[] = {
+    {"vertex_counts", kSigned, 1, offsetof(mimo_stage_surfaces, vertex_counts), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"element_counts", kSigned, 1, offsetof(mimo_stage_surfaces, element_counts), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"corners", kSigned, 1, offsetof(mimo_stage_surfaces, corners), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"texcoord_counts", kSigned, 1, offsetof(mimo_stage_surfaces, texcoord_counts), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"vertices", kNumbers, 3, offsetof(mimo_stage_surfaces, vertices), offsetof(mimo_stage_surfaces, vertex_total), 0, NULL},
+    {"elements", kSigned, 1, offsetof(mimo_stage_surfaces, elements), offsetof(mimo_stage_surfaces, element_length), 1, NULL},
+    {"texcoord_elements", kSigned, 1, offsetof(mimo_stage_surfaces, texcoord_elements), offsetof(mimo_stage_surfaces, element_length), 1, NULL},
+    {"texcoords", kFloats, 2, offsetof(mimo_stage_surfaces, texcoords), offsetof(mimo_stage_surfaces, texcoord_total), 0, NULL},
+    {"radii", kFloats, 1, offsetof(mimo_stage_surfaces, radii), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"sheets", kBytes, 1, offsetof(mimo_stage_surfaces, sheets), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"flat", kBytes, 1, offsetof(mimo_stage_surfaces, flat), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"colors", kFloats, 4, offsetof(mimo_stage_surfaces, colors), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"materials", kSigned, 1, offsetof(mimo_stage_surfaces, materials), offsetof(mimo_stage_surfaces, count), 1, NULL},
+    {"groups", kSigned, 1, offsetof(mimo_stage_surfaces, groups), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {"objects", kSigned, 2, offsetof(mimo_stage_surfaces, objects), offsetof(mimo_stage_surfaces, count), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_surfaces_numbers[] = {
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_surfaces_part = {sizeof(mimo_stage_surfaces), stage_surfaces_arrays, stage_surfaces_numbers};
+
+static const stage_array stage_tendons_arrays[] = {
+    {"widths", kNumbers, 1, offsetof(mimo_stage_tendons, widths), offsetof(mimo_stage_tendons, count), 0, NULL},
+    {"colors", kFloats, 4, offsetof(mimo_stage_tendons, colors), offsetof(mimo_stage_tendons, count), 0, NULL},
+    {"materials", kSigned, 1, offsetof(mimo_stage_tendons, materials), offsetof(mimo_stage_tendons, count), 1, NULL},
+    {"groups", kSigned, 1, offsetof(mimo_stage_tendons, groups), offsetof(mimo_stage_tendons, count), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_tendons_numbers[] = {
+    {"object_type", kSigned, 1, offsetof(mimo_stage_tendons, object_type), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_tendons_part = {sizeof(mimo_stage_tendons), stage_tendons_arrays, stage_tendons_numbers};
+
+static const stage_array stage_lights_arrays[] = {
+    {"types", kSigned, 1, offsetof(mimo_stage_lights, types), offsetof(mimo_stage_lights, count), 0, &mimo_lamp_words},
+    {"active", kBytes, 1, offsetof(mimo_stage_lights, active), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"casts_shadow", kBytes, 1, offsetof(mimo_stage_lights, casts_shadow), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"ambient", kFloats, 3, offsetof(mimo_stage_lights, ambient), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"diffuse", kFloats, 3, offsetof(mimo_stage_lights, diffuse), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"specular", kFloats, 3, offsetof(mimo_stage_lights, specular), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"attenuation", kFloats, 3, offsetof(mimo_stage_lights, attenuation), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"cutoff", kFloats, 1, offsetof(mimo_stage_lights, cutoff), offsetof(mimo_stage_lights, count), 0, NULL},
+    {"exponent", kFloats, 1, offsetof(mimo_stage_lights, exponent), offsetof(mimo_stage_lights, count), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_lights_numbers[] = {
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_lights_part = {sizeof(mimo_stage_lights), stage_lights_arrays, stage_lights_numbers};
+
+static const stage_array stage_poses_arrays[] = {
+    {"geom_positions", kNumbers, 3, offsetof(mimo_stage_poses, geom_positions), offsetof(mimo_stage_poses, geom_count), 0, NULL},
+    {"geom_rotations", kNumbers, 9, offsetof(mimo_stage_poses, geom_rotations), offsetof(mimo_stage_poses, geom_count), 0, NULL},
+    {"geom_quaternions", kNumbers, 4, offsetof(mimo_stage_poses, geom_quaternions), offsetof(mimo_stage_poses, geom_count), 0, NULL},
+    {"site_positions", kNumbers, 3, offsetof(mimo_stage_poses, site_positions), offsetof(mimo_stage_poses, site_count), 0, NULL},
+    {"site_rotations", kNumbers, 9, offsetof(mimo_stage_poses, site_rotations), offsetof(mimo_stage_poses, site_count), 0, NULL},
+    {"site_quaternions", kNumbers, 4, offsetof(mimo_stage_poses, site_quaternions), offsetof(mimo_stage_poses, site_count), 0, NULL},
+    {"light_positions", kNumbers, 3, offsetof(mimo_stage_poses, light_positions), offsetof(mimo_stage_poses, light_count), 0, NULL},
+    {"light_directions", kNumbers, 3, offsetof(mimo_stage_poses, light_directions), offsetof(mimo_stage_poses, light_count), 0, NULL},
+    {"vertices", kNumbers, 3, offsetof(mimo_stage_poses, vertices), offsetof(mimo_stage_poses, vertex_count), 0, NULL},
+    {"tendon_first", kSigned, 1, offsetof(mimo_stage_poses, tendon_first), offsetof(mimo_stage_poses, tendon_count), 1, NULL},
+    {"tendon_points", kSigned, 1, offsetof(mimo_stage_poses, tendon_points), offsetof(mimo_stage_poses, tendon_count), 0, NULL},
+    {"path_points", kNumbers, 3, offsetof(mimo_stage_poses, path_points), offsetof(mimo_stage_poses, path_count), 0, NULL},
+    {"path_objects", kSigned, 1, offsetof(mimo_stage_poses, path_objects), offsetof(mimo_stage_poses, path_count), 0, NULL},
+    {"extra_forms", kSigned, 1, offsetof(mimo_stage_poses, extra_forms), offsetof(mimo_stage_poses, extra_count), 0, &mimo_form_words},
+    {"extra_sizes", kNumbers, 3, offsetof(mimo_stage_poses, extra_sizes), offsetof(mimo_stage_poses, extra_count), 0, NULL},
+    {"extra_positions", kNumbers, 3, offsetof(mimo_stage_poses, extra_positions), offsetof(mimo_stage_poses, extra_count), 0, NULL},
+    {"extra_rotations", kNumbers, 9, offsetof(mimo_stage_poses, extra_rotations), offsetof(mimo_stage_poses, extra_count), 0, NULL},
+    {"extra_colors", kFloats, 4, offsetof(mimo_stage_poses, extra_colors), offsetof(mimo_stage_poses, extra_count), 0, NULL},
+    {"extra_materials", kSigned, 1, offsetof(mimo_stage_poses, extra_materials), offsetof(mimo_stage_poses, extra_count), 1, NULL},
+    {"extra_objects", kSigned, 2, offsetof(mimo_stage_poses, extra_objects), offsetof(mimo_stage_poses, extra_count), 0, NULL},
+    {NULL, kBytes, 0, 0, 0, 0, NULL},
+};
+static const member stage_poses_numbers[] = {
+    {NULL, kText, 0, 0, NULL},
+};
+const stage_part mimo_stage_poses_part = {sizeof(mimo_stage_poses), stage_poses_arrays, stage_poses_numbers};

@@ -52,6 +52,8 @@ extern const member mimo_limits_options[];
 extern const member mimo_maturity_options[];
 extern const member mimo_picture_options[];
 extern const member mimo_recorder_options[];
+extern const member mimo_stage_air_options[];
+extern const member mimo_stage_view_options[];
 extern const member mimo_action_members[];
 extern const member mimo_agent_members[];
 extern const member mimo_appearance_members[];
@@ -63,6 +65,15 @@ extern const member mimo_recording_members[];
 extern const member mimo_replay_report_members[];
 extern const member mimo_term_members[];
 extern const member mimo_timing_members[];
+extern const stage_part mimo_stage_shapes_part;
+extern const stage_part mimo_stage_meshes_part;
+extern const stage_part mimo_stage_fields_part;
+extern const stage_part mimo_stage_textures_part;
+extern const stage_part mimo_stage_materials_part;
+extern const stage_part mimo_stage_surfaces_part;
+extern const stage_part mimo_stage_tendons_part;
+extern const stage_part mimo_stage_lights_part;
+extern const stage_part mimo_stage_poses_part;
 extern const quantity mimo_quantities[]; /* ends with a name that is NULL */
 
 #endif

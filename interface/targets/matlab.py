@@ -6,6 +6,7 @@ import re
 import textwrap
 from pathlib import Path
 
+import targets._stage_parts as stage
 from targets._prose import Prose, described, switch, without_null
 
 FOLDER = "bindings/matlab/"
@@ -35,6 +36,8 @@ CONFIGS = {
     "mimo_maturity": "Eyes and nerves: mimo_scene_add(scene, 'maturity', ...)",
     "mimo_picture_config": "A picture: the struct that mimo_picture takes for a camera",
     "mimo_recorder_config": "A recording: mimo_record",
+    "mimo_stage_air": "What a stage is in: the struct that mimo_stage takes for its air",
+    "mimo_stage_view": "A picture of a stage: the struct that mimo_stage_draw takes for a view",
 }
 # Members that the gateway sets by itself, or reads in a way of its own.
 NO_OPTIONS = (
@@ -55,6 +58,23 @@ NO_OPTIONS = (
     "mimo_scene_config.log",
     "mimo_scene_config.log_user",
     "mimo_scene_config.xml",
+    "mimo_stage_view.depth",
+    "mimo_stage_view.depth_count",
+    "mimo_stage_view.depth_stride",
+    "mimo_stage_view.pose",
+    "mimo_stage_view.position",
+    "mimo_stage_view.rgb",
+    "mimo_stage_view.rgb_bytes",
+    "mimo_stage_view.rgb_stride",
+    "mimo_stage_view.rotation",
+    "mimo_stage_view.segmentation",
+    "mimo_stage_view.segmentation_count",
+    "mimo_stage_view.segmentation_stride",
+)
+# Arrays of stages that hold places in other arrays, which MATLAB counts from 1.
+PLACES = (
+    *("data", "materials", "textures", "triangles", "normal_triangles", "texcoord_triangles"),
+    *("elements", "texcoord_elements", "tendon_first", "extra_materials"),
 )
 RENAMED = {"mimo_growth.model": "growth"}
 
@@ -137,6 +157,7 @@ def header(api) -> str:
     externs = "".join(f"extern const enumeration {words_of(enum.name)};\n" for enum in api.enums)
     externs += "".join(f"extern const member {options_of(name)}[];\n" for name in CONFIGS)
     externs += "".join(f"extern const member {members_of(name)}[];\n" for name in RECORDS)
+    externs += "".join(f"extern const stage_part {name}_part;\n" for name in stage.PARTS)
     return (
         f"/* {NOTICE} */\n/* clang-format off */\n"
         "#ifndef MIMO_MATLAB_TABLES_H\n#define MIMO_MATLAB_TABLES_H\n\n"
@@ -151,7 +172,26 @@ def source(api) -> str:
     parts.append(quantities(api))
     parts += [table(options_of(name), api.struct(name)) for name in CONFIGS]
     parts += [table(members_of(name), api.struct(name)) for name in RECORDS]
+    parts += [stage_part(api, api.struct(name)) for name in stage.PARTS]
     return "\n".join(parts)
+
+
+def stage_part(api, struct) -> str:
+    """The arrays of a part of a stage, and the numbers that belong to it."""
+    rows = ""
+    for member, length, width in stage.arrays(struct):
+        kind = {"uint8_t": "kBytes"}.get(member.type.split()[1]) or KINDS[member.type.split()[1]]
+        words = [words_of(enum.name) for enum in api.enums if re.search(rf"\b{enum.prefix} constants", member.doc)]
+        rows += f'    {{"{member.name}", {kind}, {width}, offsetof({struct.name}, {member.name}), '
+        rows += f"offsetof({struct.name}, {length}), {int(member.name in PLACES)}, "
+        rows += f"&{words[0]}}},\n" if words else "NULL},\n"
+    name = struct.name.removeprefix("mimo_")
+    numbers = "".join(row(struct, member) for member in stage.scalars(struct))
+    return (
+        f"static const stage_array {name}_arrays[] = {{\n{rows}    {{NULL, kBytes, 0, 0, 0, 0, NULL}},\n}};\n"
+        f"static const member {name}_numbers[] = {{\n{numbers}    {{NULL, kText, 0, 0, NULL}},\n}};\n"
+        f"const stage_part {struct.name}_part = {{sizeof({struct.name}), {name}_arrays, {name}_numbers}};\n"
+    )
 
 
 def enumeration(enum) -> str:
