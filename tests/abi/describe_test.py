@@ -208,7 +208,7 @@ class Describe(unittest.TestCase):
         interface.functions.append(new)
         with self.assertRaises(describe.Undescribable) as raised:
             bindings_page.table(interface)
-        languages = ["C++", "Python", "Rust", "C#", "MATLAB"]
+        languages = ["C++", "Python", "Rust", "C#", "MATLAB", "JavaScript"]
         lacking = [f"{language} lacks mimo_env_pair, and notes.toml has no reason for that" for language in languages]
         self.assertEqual(str(raised.exception).splitlines(), lacking)
 
