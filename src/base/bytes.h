@@ -81,10 +81,11 @@ class ByteReader {
   }
 
   // The next bytes as they are; they are then read past.
-  Span<const std::uint8_t> skip(std::size_t bytes) {
+  Span<const std::uint8_t> skip(std::uint64_t bytes) {  // as stored: 32-bit systems count fewer
     require(bytes <= left(), "the state ends {} bytes early", bytes - left());
-    at_ += bytes;
-    return from_.part(at_ - bytes, bytes);
+    const Span<const std::uint8_t> skipped = from_.part(at_, static_cast<std::size_t>(bytes));
+    at_ += skipped.size();
+    return skipped;
   }
 
   std::size_t left() const { return from_.size() - at_; }

@@ -117,7 +117,7 @@ void for_each_section(Span<const std::uint8_t> body, Visit&& visit) {
 }  // namespace
 
 Span<const std::uint8_t> state_in(Span<const std::uint8_t> bytes) {
-  const std::size_t length = std::min<std::size_t>(read_header(bytes).bytes, bytes.size());
+  const auto length = static_cast<std::size_t>(std::min<std::uint64_t>(read_header(bytes).bytes, bytes.size()));
   const bool alone = std::all_of(bytes.begin() + length, bytes.end(), [](std::uint8_t byte) { return byte == 0; });
   if (!alone) fail(Status::kFile, "state: it has {} bytes, and those that follow are not zero", length);
   return bytes.part(0, length);

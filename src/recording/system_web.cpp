@@ -18,7 +18,7 @@ bool has_elevated_rights() { return false; }
 bool environment_has(const std::string&) { return false; }
 void write_to_nowhere(int) {}
 
-Claim::Claim(const std::string&) : file_(-1) {}
+Claim::Claim(const std::string&) : file_(-1), granted_(file_ >= 0) {}
 Claim::~Claim() = default;
 void claim_for_writing(int) {}
 void end_claim(int) {}
