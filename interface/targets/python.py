@@ -10,6 +10,7 @@ import textwrap
 from pathlib import Path
 
 from targets import _prose
+from targets._python_stage import stage_columns
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = "bindings/python/src/mimo"
@@ -81,6 +82,7 @@ def files(api):
         f"{PACKAGE}/constants.py": constants(api),
         f"{PACKAGE}/option_types.py": options(api),
         f"{PACKAGE}/selections.py": selections(api),
+        f"{PACKAGE}/stage_columns.py": module("The arrays of a stage's parts and poses.", *stage_columns(api)),
         GUIDE: guide(api),
     }
 

@@ -7,7 +7,8 @@ from typing import Any, Callable, Dict, Iterable, List, Optional
 import numpy as np
 
 from . import _abi
-from .stage import POSES, fill
+from .stage import fill
+from .stage_columns import POSES
 
 DRAWN = ("PLANE", "SPHERE", "CAPSULE", "ELLIPSOID", "CYLINDER", "BOX")  # mjGEOM_
 LONG = ("CAPSULE", "CYLINDER")  # whose second size MuJoCo's scenes give as the third

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from . import _abi
 from .decorations import Extras, Tell
 from .skinning import Skinning
-from .stage import POSES, Arrays, fill
+from .stage import Arrays, fill
+from .stage_columns import POSES
 
 TEXTURES_FROM_CORNERS = (3, 12)  # the version of MuJoCo that began to lay flat textures so
 COLOR_TEXTURE = 1  # mjTEXROLE_RGB, the column of mat_texid since MuJoCo 3.2

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Type, Union
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,110 +13,12 @@ from ._handle import Handle
 from ._library import LIB, check, defaults, log_to_python
 from .arguments import described, number_of, real_number, unexpected, vector, whole_number
 from .constants import Render
+from .stage_columns import PARTS, POSES, Column
 
 Arrays = Mapping[str, Any]
 LARGEST = 16384  # width and height of pictures, pixels
 
 
-class Column(NamedTuple):
-    """An array of a part: the type and the count of the numbers of each element, and the member that counts these."""
-
-    kind: Any
-    width: int
-    by: str = "count"
-
-
-INT, BYTE, FLOAT, DOUBLE = np.int32, np.uint8, np.float32, np.float64
-
-SHAPES = {
-    "forms": Column(INT, 1),
-    "sizes": Column(DOUBLE, 3),
-    "colors": Column(FLOAT, 4),
-    "materials": Column(INT, 1),
-    "groups": Column(INT, 1),
-    "data": Column(INT, 1),
-}
-MESHES = {
-    **{f"{one}_counts": Column(INT, 1) for one in ("vertex", "normal", "texcoord", "triangle")},
-    "vertices": Column(FLOAT, 3, "vertex_total"),
-    "normals": Column(FLOAT, 3, "normal_total"),
-    "texcoords": Column(FLOAT, 2, "texcoord_total"),
-    **{f"{one}triangles": Column(INT, 3, "triangle_total") for one in ("", "normal_", "texcoord_")},
-}
-FIELDS = {
-    "rows": Column(INT, 1),
-    "columns": Column(INT, 1),
-    "sizes": Column(DOUBLE, 4),
-    "heights": Column(FLOAT, 1, "height_total"),
-}
-TEXTURES = {
-    **{one: Column(INT, 1) for one in ("types", "widths", "heights", "channels")},
-    "pixels": Column(BYTE, 1, "pixel_bytes"),
-}
-MATERIALS = {
-    "colors": Column(FLOAT, 4),
-    **{one: Column(FLOAT, 1) for one in ("emission", "specular", "shininess", "reflectance")},
-    "textures": Column(INT, 1),
-    "repeats": Column(FLOAT, 2),
-    "uniform": Column(BYTE, 1),
-}
-SURFACES = {
-    **{one: Column(INT, 1) for one in ("vertex_counts", "element_counts", "corners", "texcoord_counts")},
-    "vertices": Column(DOUBLE, 3, "vertex_total"),
-    "elements": Column(INT, 1, "element_length"),
-    "texcoord_elements": Column(INT, 1, "element_length"),
-    "texcoords": Column(FLOAT, 2, "texcoord_total"),
-    "radii": Column(FLOAT, 1),
-    "sheets": Column(BYTE, 1),
-    "flat": Column(BYTE, 1),
-    "colors": Column(FLOAT, 4),
-    "materials": Column(INT, 1),
-    "groups": Column(INT, 1),
-    "objects": Column(INT, 2),
-}
-TENDONS = {
-    "widths": Column(DOUBLE, 1),
-    "colors": Column(FLOAT, 4),
-    "materials": Column(INT, 1),
-    "groups": Column(INT, 1),
-}
-LIGHTS = {
-    "types": Column(INT, 1),
-    "active": Column(BYTE, 1),
-    "casts_shadow": Column(BYTE, 1),
-    **{one: Column(FLOAT, 3) for one in ("ambient", "diffuse", "specular", "attenuation")},
-    "cutoff": Column(FLOAT, 1),
-    "exponent": Column(FLOAT, 1),
-}
-POSES = {
-    **{f"{one}_positions": Column(DOUBLE, 3, f"{one}_count") for one in ("geom", "site", "light")},
-    **{f"{one}_rotations": Column(DOUBLE, 9, f"{one}_count") for one in ("geom", "site")},
-    **{f"{one}_quaternions": Column(DOUBLE, 4, f"{one}_count") for one in ("geom", "site")},
-    "light_directions": Column(DOUBLE, 3, "light_count"),
-    "vertices": Column(DOUBLE, 3, "vertex_count"),
-    "tendon_first": Column(INT, 1, "tendon_count"),
-    "tendon_points": Column(INT, 1, "tendon_count"),
-    "path_points": Column(DOUBLE, 3, "path_count"),
-    "path_objects": Column(INT, 1, "path_count"),
-    "extra_forms": Column(INT, 1, "extra_count"),
-    "extra_sizes": Column(DOUBLE, 3, "extra_count"),
-    "extra_positions": Column(DOUBLE, 3, "extra_count"),
-    "extra_rotations": Column(DOUBLE, 9, "extra_count"),
-    "extra_colors": Column(FLOAT, 4, "extra_count"),
-    "extra_materials": Column(INT, 1, "extra_count"),
-    "extra_objects": Column(INT, 2, "extra_count"),
-}
-PARTS: Dict[str, Tuple[Type[_abi.Struct], Mapping[str, Column]]] = {
-    "geoms": (_abi.StageShapes, SHAPES),
-    "sites": (_abi.StageShapes, SHAPES),
-    "meshes": (_abi.StageMeshes, MESHES),
-    "fields": (_abi.StageFields, FIELDS),
-    "textures": (_abi.StageTextures, TEXTURES),
-    "materials": (_abi.StageMaterials, MATERIALS),
-    "surfaces": (_abi.StageSurfaces, SURFACES),
-    "tendons": (_abi.StageTendons, TENDONS),
-    "lights": (_abi.StageLights, LIGHTS),
-}
 SINGLE = {"object_type": -1, "from_corner": 0}  # numbers of parts that are no arrays, and what they are if not given
 AIR = tuple(field[0] for field in _abi.StageAir._fields_ if field[0] not in ("struct_size", "reserved"))
 
@@ -133,9 +35,9 @@ def fitting(name: str, value: Any, column: Column) -> NDArray[Any]:
         raise TypeError(f"{name}: expected numbers, not {described(value)}")
     if given.dtype == bool:
         given = given.view(np.uint8)
-    if column.kind in (INT, BYTE) and given.dtype.kind == "f" and given.size:
+    if column.kind in (np.int32, np.uint8) and given.dtype.kind == "f" and given.size:
         raise TypeError(f"{name}: expected whole numbers, not {given.dtype}")
-    if column.kind in (INT, BYTE) and given.dtype != column.kind and given.size:
+    if column.kind in (np.int32, np.uint8) and given.dtype != column.kind and given.size:
         least, most = int(given.min()), int(given.max())
         limits = np.iinfo(column.kind)
         if least < limits.min or most > limits.max:
