@@ -32,14 +32,18 @@ void add_new(CLI::App& program);
 struct FollowOptions {
   WorldOptions world;
   RetargetOptions skeleton;
-  std::string motion, forces, joints;  // files; "" for none
+  std::string motion, forces, joints, errors;  // files; "" for none
+  double cutoff = 0;                           // Hz; 0: movements are not filtered
   bool degrees = false, json = false;
 };
 
 // Options that only go with --motion, which is the one that is returned.
 CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options);
 
-void follow(const FollowOptions& options);
+struct RecorderOptions;
+
+// Where the recorder has a file, the movement and what is sensed go there.
+void follow(const FollowOptions& options, const RecorderOptions& recorder);
 
 // Ctrl-C, and what batch systems and closing terminals send: the first such signal asks for an early end, which leaves
 // time to report and to close files; the second one ends the program at once.

@@ -165,9 +165,9 @@ void add_replay(CLI::App& program) {
                                           "Put joints where they were instead of stepping; for recordings of "
                                           "another\nmodel or version, whose states do not "
                                           "fit. Senses with a memory start afresh");
-  CLI::Option* out = add_recorder_options(*command, options->recorder);
+  add_recorder_options(*command, options->recorder);
   CLI::Option* motion = add_follow_options(*command, options->follow);
-  for (CLI::Option* other : {file, out, joints, command->get_option("--from"), command->get_option("--seconds"),
+  for (CLI::Option* other : {file, joints, command->get_option("--from"), command->get_option("--seconds"),
                              command->get_option("--actuation"), command->get_option("--reflexes")}) {
     motion->excludes(other);
   }
@@ -189,10 +189,11 @@ void add_replay(CLI::App& program) {
       "  mimo replay run.h5 --json\n"
       "  mimo replay run.h5 --from 30 --seconds 5 --vision 128 --keep vision --out eyes.h5\n"
       "  mimo replay --motion motion.csv --scene benchmark --forces torques.csv\n"
-      "  mimo replay --motion walk.bvh --scene free --joints joints.csv");
+      "  mimo replay --motion walk.bvh --scene free --joints joints.csv\n"
+      "  mimo replay --motion kicks.c3d --scene free --senses all --keep all --out run.h5");
   command->callback([options, command] {
     options->follow.json = options->json;
-    if (!options->follow.motion.empty()) return follow(options->follow);
+    if (!options->follow.motion.empty()) return follow(options->follow, options->recorder);
     if (options->file.empty()) throw CLI::RequiredError("FILE.h5 or --motion");
     replay(*options, *command);
   });

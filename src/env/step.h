@@ -112,6 +112,8 @@ class StepObserver {
   virtual ~StepObserver() = default;
   // A step begins. Gives the block that is filled: the caller's, or where that is null one of its own, or null.
   virtual std::uint8_t* step_begins(const World& world, std::uint8_t* block) noexcept = 0;
+  // The same of a step in which joints follow a known movement.
+  virtual std::uint8_t* movement_begins(const World& world, std::uint8_t* block) noexcept = 0;
   virtual void step_ends(World& world, Span<const float> actions, const std::uint8_t* block) noexcept = 0;
   virtual void step_failed() noexcept = 0;
   // Another world has taken the place of the one that is followed.

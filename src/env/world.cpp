@@ -272,11 +272,17 @@ void World::step(Span<const float> actions, std::uint8_t* block, const Results& 
   require_outside_task();
   physics_.require_usable();
   physics_.require_undisturbed();
-  if (step_observer_ == nullptr) return go(actions, block, results);
+  observed(&StepObserver::step_begins, actions, block, [&](std::uint8_t* filled) { go(actions, filled, results); });
+}
+
+template <typename Work>
+void World::observed(std::uint8_t* (StepObserver::*begins)(const World&, std::uint8_t*) noexcept,
+                     Span<const float> actions, std::uint8_t* block, Work&& work) {
+  if (step_observer_ == nullptr) return work(block);
   const std::shared_ptr<StepObserver> observer = step_observer_;  // a task or the log may let it go
-  std::uint8_t* const filled = observer->step_begins(*this, block);
+  std::uint8_t* const filled = (*observer.*begins)(*this, block);
   try {
-    go(actions, filled, results);
+    work(filled);
   } catch (...) {
     ++changes_;
     observer->step_failed();
@@ -326,6 +332,11 @@ void World::follow(Span<const double> positions, Span<double> forces, std::uint8
   if (model().opt.integrator != mjINT_EULER) {
     fail(Status::kUnsupported, "only models with MuJoCo's integrator Euler can follow movements");
   }
+  observed(&StepObserver::movement_begins, {}, block,
+           [&](std::uint8_t* filled) { move_along(positions, forces, filled); });
+}
+
+void World::move_along(Span<const double> positions, Span<double> forces, std::uint8_t* block) {
   const observation::Stopwatch total(options_.timing, timing_.total);
   ++changes_;
   const auto nq = static_cast<std::size_t>(model().nq), nv = static_cast<std::size_t>(model().nv);

@@ -149,6 +149,11 @@ class World {
   void start();
   void open();
   void babble(const Agent& agent);
+  void move_along(Span<const double> positions, Span<double> forces, std::uint8_t* block);
+  // Does the work of a step, and tells the observer of it.
+  template <typename Work>
+  void observed(std::uint8_t* (StepObserver::*begins)(const World&, std::uint8_t*) noexcept, Span<const float> actions,
+                std::uint8_t* block, Work&& work);
   void go(Span<const float> actions, std::uint8_t* block, const Results& results);
   // All physics steps of a step; move(i, sensors) makes the one after the first i.
   template <typename Move>

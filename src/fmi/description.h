@@ -15,7 +15,8 @@ struct UnitFacts {
   std::uint64_t seed;
 };
 
-constexpr char kUnitIdentifier[] = "mimo";  // of the library in it
+// Of the library in it. Not "mimo": Windows would take it for libmimo, which has that name there.
+constexpr char kUnitIdentifier[] = "mimo_unit";
 
 std::string model_description(const UnitFacts& facts, const std::vector<Variable>& variables, int version);
 

@@ -39,7 +39,9 @@ std::string path_of(const std::string& uri) {
     path += escape ? static_cast<char>(std::strtol(coded.substr(i + 1, 2).c_str(), nullptr, 16)) : coded[i];
     if (escape) i += 2;
   }
-  while (path.size() > 1 && path.back() == '/') path.pop_back();
+  if (path.size() > 2 && path[0] == '/' && path[2] == ':')
+    path.erase(0, 1);  // "/C:/": Windows' paths begin with a letter
+  while (path.size() > 1 && (path.back() == '/' || path.back() == '\\')) path.pop_back();
   return path;
 }
 

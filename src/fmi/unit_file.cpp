@@ -17,12 +17,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-#if defined(__x86_64__)
+// Systems differ in names, and in where they look for the libraries that the adapter needs: Linux where its run path
+// says, Windows beside it.
+#if defined(_WIN32)
+constexpr char kFolder3[] = "x86_64-windows", kFolder2[] = "win64";
+#elif defined(__x86_64__)
 constexpr char kFolder3[] = "x86_64-linux", kFolder2[] = "linux64";
 #elif defined(__aarch64__)
 constexpr char kFolder3[] = "aarch64-linux", kFolder2[] = "";  // FMI 2 has no name for it
 #else
 constexpr char kFolder3[] = "", kFolder2[] = "";
+#endif
+
+#ifdef _WIN32
+constexpr char kEnding[] = ".dll";
+constexpr bool kBeside = true;
+#else
+constexpr char kEnding[] = ".so";
+constexpr bool kBeside = false;
 #endif
 
 std::string content_of(const std::string& path) {
@@ -107,8 +119,9 @@ void write_unit(const std::string& path, const UnitOptions& options, std::vector
   const UnitFacts facts = {fs::path(path).stem().string(), env.task(), token, step, options.world.seed};
   zip.add("modelDescription.xml", model_description(facts, variables, options.version));
   zip.add("resources/" + std::string(kUnitArguments), arguments);
-  zip.add("binaries/" + folder + '/' + kUnitIdentifier + ".so", adapter);
-  for (const NeededLibrary& library : libraries) zip.add("resources/" + library.name, content_of(library.path));
+  const std::string binaries = "binaries/" + folder + '/', beside = kBeside ? binaries : "resources/";
+  zip.add(binaries + kUnitIdentifier + kEnding, adapter);
+  for (const NeededLibrary& library : libraries) zip.add(beside + library.name, content_of(library.path));
   write_file(path, zip.finish());
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 
@@ -37,14 +38,15 @@ constexpr Place kOfSides[] = {
     {"eye", "eye", "eye", false},
 };
 
-// On the head, in radii of its sphere from the centre: forward, left, up, as mimo/key_points.py has them.
+// On the head, in radii of its sphere from the centre: forward, left, up.
 struct OnHead {
-  const char* names;
+  const char *point, *names;
   std::array<double, 3> place;
 };
 
-constexpr OnHead kOnHead[] = {
-    {"nose nosevertex", {1.0, 0.0, -0.15}}, {"leftear lear", {0.0, 1.0, 0.0}}, {"rightear rear", {0.0, -1.0, 0.0}}};
+constexpr OnHead kOnHead[] = {{"nose", "nose nosevertex", {1.0, 0.0, -0.15}},
+                              {"left_ear", "leftear earleft lear", {0.0, 1.0, 0.0}},
+                              {"right_ear", "rightear earright rear", {0.0, -1.0, 0.0}}};
 
 // Small letters and digits, behind the subject's name: "Anna:L_Elbow" is "lelbow".
 std::string plain(const std::string& name) {
@@ -108,10 +110,7 @@ class Mapping {
     prefix_ = root.substr(0, root.find('/') == std::string::npos ? 0 : root.find('/') + 1);
     for (const std::int32_t body : env.ids(MIMO_BODY)) bodies_[env.name(MIMO_BODY, body)] = body;
     if (map.empty()) return;
-    for (const TextRow& row : read_texts(map)) {
-      if (row.cells.size() != 2) throw Failure(map + text(", line %zu: expected marker,point", row.line));
-      own_[row.cells[0]] = row.cells[1];
-    }
+    for (const TextRow& row : read_texts(map)) read_line(map, row);
     own_file_ = map;
   }
 
@@ -120,24 +119,52 @@ class Mapping {
     return found == bodies_.end() ? -1 : found->second;
   }
 
-  std::optional<Spot> spot_of(const std::string& marker, bool arms_begin_at_clavicles) const {
+  std::optional<Spot> spot_of(const std::string& marker, bool arms_begin_at_clavicles, bool own_names) const {
     if (!own_file_.empty()) {
       const auto found = own_.find(marker);
       if (found == own_.end()) return std::nullopt;
-      const std::optional<Spot> it = usual(plain(found->second), false);
-      if (!it) throw Failure(own_file_ + ": no point or body '" + found->second + "'");
+      std::optional<Spot> it = usual(plain(found->second.point), false);
+      if (!it) throw Failure(own_file_ + ": no point or body '" + found->second.point + "'");
+      if (found->second.offset) {
+        if (body(found->second.point) < 0) {
+          throw Failure(own_file_ + ": no body '" + found->second.point + "', in which x, y, z could be");
+        }
+        it = Spot{marker, body(found->second.point), *found->second.offset};
+      }
       return it;
     }
+    if (own_names && body(marker) > 0) return Spot{marker, body(marker), Eigen::Vector3d::Zero()};
     const std::string name = plain(marker);
     if (arms_begin_at_clavicles && is_among(name, "leftshoulder rightshoulder")) return std::nullopt;
     return usual(name, true);
   }
 
  private:
+  // What a line of the map says of a marker.
+  struct Told {
+    std::string point;
+    std::optional<Eigen::Vector3d> offset;  // in the body of that name
+  };
+
+  void read_line(const std::string& map, const TextRow& row) {
+    const auto fail = [&](const std::string& why) { throw Failure(map + text(", line %zu: ", row.line) + why); };
+    if (row.cells.size() != 2 && row.cells.size() != 5) fail("expected marker,point or marker,body,x,y,z");
+    Told told{row.cells[1], {}};
+    if (row.cells.size() == 5) {
+      told.offset.emplace();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto value = number_of_file(row.cells[2 + i]);
+        if (!value) fail("the place of '" + row.cells[0] + "' is '" + row.cells[2 + i] + "', expected metres");
+        (*told.offset)[Eigen::Index(i)] = *value;
+      }
+    }
+    if (!own_.emplace(row.cells[0], told).second) fail("the marker '" + row.cells[0] + "' is there twice");
+  }
+
   // Bodies by their own names only where a map says so: a marker "head" may be anywhere on it.
   std::optional<Spot> usual(const std::string& name, bool of_file) const {
     for (const OnHead& it : kOnHead) {
-      if (is_among(name, it.names) && body("head") >= 0) return on_head(name, it);
+      if (is_among(name, it.names) && body("head") >= 0) return on_head(it);
     }
     const auto [side, part] = side_of(name);
     for (const Place& it : kOfSides) {
@@ -156,9 +183,9 @@ class Mapping {
     return std::nullopt;
   }
 
-  Spot on_head(const std::string& name, const OnHead& it) const {
+  Spot on_head(const OnHead& it) const {
     const std::int32_t head = body("head");
-    Spot target{name, head, Eigen::Vector3d::Zero()};
+    Spot target{it.point, head, Eigen::Vector3d::Zero()};
     for (const std::int32_t geom : env_.ids(MIMO_GEOM)) {
       if (env_.name(MIMO_GEOM, geom) != prefix_ + "head") continue;
       const std::vector<double> at = env_.get_values(MIMO_GEOM_POSITION | MIMO_NOW, {geom});
@@ -172,7 +199,7 @@ class Mapping {
   mimo::Env& env_;
   std::string prefix_, own_file_;
   std::map<std::string, std::int32_t> bodies_;
-  std::map<std::string, std::string> own_;
+  std::map<std::string, Told> own_;
 };
 
 bool is_seen(const Eigen::Vector3d& point) { return point.allFinite(); }
@@ -181,9 +208,10 @@ struct Point {
   Spot target;
   std::vector<std::size_t> markers;  // several, as at both sides of a wrist: their middle
   std::vector<Eigen::Vector3d> places;
+  std::vector<double> weights;
 };
 
-std::vector<Point> points_of(const std::string& path, Markers& markers, const Mapping& mapping) {
+std::vector<Point> points_of(const Markers& markers, const Mapping& mapping, std::vector<std::string>& notes) {
   const auto has = [&](const char* name) {
     return std::any_of(markers.names.begin(), markers.names.end(), [&](const auto& it) { return plain(it) == name; });
   };
@@ -191,7 +219,7 @@ std::vector<Point> points_of(const std::string& path, Markers& markers, const Ma
   std::vector<Point> points;
   std::string left_out;
   for (std::size_t i = 0; i < markers.names.size(); ++i) {
-    const std::optional<Spot> target = mapping.spot_of(markers.names[i], clavicles);
+    const std::optional<Spot> target = mapping.spot_of(markers.names[i], clavicles, markers.has_own_names);
     if (!target) {
       left_out += (left_out.empty() ? "" : ", ") + (markers.names[i].empty() ? "one without a name" : markers.names[i]);
       continue;
@@ -199,28 +227,33 @@ std::vector<Point> points_of(const std::string& path, Markers& markers, const Ma
     const auto same = [&](const Point& it) { return it.target.point == target->point; };
     const auto there = std::find_if(points.begin(), points.end(), same);
     if (there == points.end()) {
-      points.push_back({*target, {i}, {}});
+      points.push_back({*target, {i}, {}, {}});
     } else {
       there->markers.push_back(i);
     }
   }
   constexpr std::size_t kLeast = 4;
   if (points.size() < kLeast) {
-    throw Failure(path +
+    throw Failure(markers.source +
                   text(": %zu markers have a name that tells where they are, expected %zu or more; it has ",
                        points.size(), kLeast) +
                   left_out + "; --map gives lines of marker,point, as LSHO,left_shoulder");
   }
-  if (!left_out.empty()) markers.notes.push_back(path + ": these markers move nothing: " + left_out);
+  if (!left_out.empty()) notes.push_back(markers.source + ": these markers move nothing: " + left_out);
   return points;
 }
 
-// Seen where all of its markers are.
+// Seen where all of its markers are, with the mean of their weights.
 void place(Point& point, const Markers& markers, const std::string& up) {
-  for (const std::vector<Eigen::Vector3d>& row : markers.rows) {
+  for (std::size_t row = 0; row < markers.rows.size(); ++row) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const std::size_t marker : point.markers) middle += row[marker] / double(point.markers.size());
+    double weight = 0;
+    for (const std::size_t marker : point.markers) {
+      middle += markers.rows[row][marker] / double(point.markers.size());
+      weight += (markers.weights.empty() ? 1 : markers.weights[row][marker]) / double(point.markers.size());
+    }
     point.places.push_back(up == "y" ? Eigen::Vector3d(middle.z(), middle.x(), middle.y()) : middle);
+    point.weights.push_back(is_seen(middle) ? weight : 0);
   }
 }
 
@@ -240,7 +273,10 @@ void bridge(Point& point, const std::vector<double>& times, const std::string& p
     if (inside) longest = std::max(longest, gap);
     if (inside && gap <= kBridged) {
       const Eigen::Vector3d from = point.places[i - 1], to = point.places[end];
-      for (std::size_t k = i; k < end; ++k) point.places[k] = from + (times[k] - times[i - 1]) / gap * (to - from);
+      for (std::size_t k = i; k < end; ++k) {
+        point.places[k] = from + (times[k] - times[i - 1]) / gap * (to - from);
+        point.weights[k] = std::min(point.weights[i - 1], point.weights[end]);
+      }
       filled += end - i;
     } else {
       open += end - i;
@@ -298,86 +334,97 @@ std::vector<Eigen::Vector3d> points_now(const std::vector<Point>& points, const 
   return here;
 }
 
-// Turns and moves the whole infant so that its trunk lies nearest to the markers of the first row that has enough.
-void put_near(const std::vector<Point>& points, const std::vector<Eigen::Vector3d>& here, mimo::Env& env) {
-  const std::int32_t root = infants(env)[0];
-  const auto joints = joints_of(env);
-  const auto free = std::find_if(joints.begin(), joints.end(), [&](const Joint& it) {
-    return it.width == 7 && env.body_of(MIMO_JOINT, it.id) == root;
-  });
-  if (free == joints.end()) return;
-  const auto of_trunk = [](const Point& it) {
-    return is_among(it.target.point, "left_shoulder right_shoulder left_hip right_hip");
-  };
-  const bool trunk = std::count_if(points.begin(), points.end(), of_trunk) >= 3;
-  for (std::size_t row = 0; row < points[0].places.size(); ++row) {
-    Eigen::Matrix3Xd from(3, 0), to(3, 0);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!is_seen(points[i].places[row]) || (trunk && !of_trunk(points[i]))) continue;
-      from.conservativeResize(3, from.cols() + 1);
-      to.conservativeResize(3, to.cols() + 1);
-      from.rightCols<1>() = here[i];
-      to.rightCols<1>() = points[i].places[row];
-    }
-    if (from.cols() < 3) continue;
-    const Eigen::Isometry3d move(Eigen::umeyama(from, to, false));
-    const std::vector<double> pose = env.get_values(MIMO_JOINT_POSITION, {free->id});
-    const Eigen::Vector3d at = move * Eigen::Vector3d(pose[0], pose[1], pose[2]);
-    const Eigen::Quaterniond turn(move.rotation() * Eigen::Quaterniond(pose[3], pose[4], pose[5], pose[6]));
-    env.set_values(MIMO_JOINT_POSITION, {free->id}, {at.x(), at.y(), at.z(), turn.w(), turn.x(), turn.y(), turn.z()});
-    return;
-  }
+bool has_marker_ending(const std::string& path) {
+  return has_ending(path, ".trc") || has_ending(path, ".tsv") || has_ending(path, ".c3d");
 }
 
-Markers read_any(const std::string& path) {
+bool is_folder(const std::string& path) {
+  std::error_code none;
+  return std::filesystem::is_directory(path, none);
+}
+
+Markers read_any(const std::string& path, double rate) {
+  if (is_mini_rgbd(path)) return read_mini_rgbd(path, rate);
+  if (is_folder(path)) return read_openpose(path, rate);
+  if (!has_marker_ending(path) && is_deeplabcut(path)) return read_deeplabcut(path, rate);
+  if (rate > 0) throw Failure("--rate: " + path + " has times itself");
   if (has_ending(path, ".trc")) return read_trc(path);
-  return has_ending(path, ".c3d") ? read_c3d(path) : read_qualisys(path);
+  if (has_ending(path, ".c3d")) return read_c3d(path);
+  return has_ending(path, ".tsv") ? read_qualisys(path) : read_key_points(path);
+}
+
+void require_fitting(const Markers& markers, const RetargetOptions& options) {
+  if (options.rest_frame >= 0) throw Failure("--rest-frame has no effect on markers");
+  if (!markers.in_pixels) {
+    if (!options.camera.empty())
+      throw Failure("--camera: the points of " + markers.source + " are in m, not in pixels");
+    return;
+  }
+  if (!markers.camera) throw Failure(markers.source + ": its points are pixels, expected --camera");
+  if (options.scale > 0) throw Failure("--scale has no effect on points in pixels");
+  if (!options.up.empty()) throw Failure("--up has no effect on points in pixels: the camera says where up is");
+}
+
+void scale(std::vector<Point>& points, const Markers& markers, double given, const mimo::Env& env,
+           std::vector<std::string>& notes) {
+  const double factor = given > 0 ? given : scale_of(points, points_now(points, env));
+  for (Point& point : points) {
+    for (Eigen::Vector3d& at : point.places) at *= factor;
+  }
+  if (given > 0) return;
+  notes.push_back(markers.source +
+                  text(": the measured limbs are %.4g times as long as the infant's; places are divided by that "
+                       "(--scale 1 takes them as they are)",
+                       1 / factor));
 }
 
 }  // namespace
 
-bool is_marker_file(const std::string& path) {
-  return has_ending(path, ".trc") || has_ending(path, ".tsv") || has_ending(path, ".c3d");
+void require_rate(const std::string& path, double rate) {
+  if (!(rate > 0)) throw Failure(path + " has no times: expected --rate, its frames a second");
 }
 
-Movement read_marker_movement(const std::string& path, const RetargetOptions& options, mimo::Env& env) {
-  if (options.rest_frame >= 0) throw Failure("--rest-frame has no effect on markers");
-  Markers markers = read_any(path);
+bool has_points(const std::string& path) {
+  if (has_marker_ending(path) || is_folder(path)) return true;
+  return !has_ending(path, ".bvh") && (is_deeplabcut(path) || has_key_points(path));
+}
+
+Markers read_points(const std::string& path, const RetargetOptions& options) {
+  Markers markers = read_any(path, options.rate);
+  markers.source = path;
+  if (!options.camera.empty()) markers.camera = read_camera(options.camera);
+  require_fitting(markers, options);
+  return markers;
+}
+
+Movement point_movement(const Markers& markers, const RetargetOptions& options, mimo::Env& env) {
+  Movement movement;
+  movement.notes = markers.notes;
   const Mapping mapping(env, options.map);
-  std::vector<Point> points = points_of(path, markers, mapping);
+  std::vector<Point> points = points_of(markers, mapping, movement.notes);
   for (Point& point : points) {
     place(point, markers, options.up);
-    bridge(point, markers.times, path, markers.notes);
+    bridge(point, markers.times, markers.source, movement.notes);
   }
-  const auto never = [](const Point& it) { return std::none_of(it.places.begin(), it.places.end(), is_seen); };
+  const auto never = [](const Point& it) {
+    return std::none_of(it.weights.begin(), it.weights.end(), [](double weight) { return weight > 0; });
+  };
   points.erase(std::remove_if(points.begin(), points.end(), never), points.end());
-  if (points.size() < 3) throw Failure(path + ": fewer than 3 of the markers that it names are ever seen");
-  const std::vector<Eigen::Vector3d> here = points_now(points, env);
-  const double scale = options.scale > 0 ? options.scale : scale_of(points, here);
-  for (Point& point : points) {
-    for (Eigen::Vector3d& at : point.places) at *= scale;
-  }
-  if (options.scale <= 0) {
-    markers.notes.push_back(path +
-                            text(": the measured limbs are %.4g times as long as the infant's; places are divided by "
-                                 "that (--scale 1 takes them as they are)",
-                                 1 / scale));
-  }
-  put_near(points, here, env);
-  Movement movement;
-  movement.source = path;
+  if (points.size() < 3) throw Failure(markers.source + ": fewer than 3 of the markers that it names are ever seen");
+  if (!markers.in_pixels) scale(points, markers, options.scale, env, movement.notes);
+  movement.source = markers.source;
   movement.times = markers.times;
-  movement.notes = std::move(markers.notes);
-  movement.of_another = true;
-  for (const Point& point : points) {
+  movement.of_another = movement.of_points = true;
+  movement.robust = options.robust;
+  if (markers.in_pixels) movement.camera = markers.camera;
+  for (Point& point : points) {
     BodyTrack track;
     track.body = point.target.body;
-    track.positions = point.places;
     track.offset = point.target.offset;
     track.point = point.target.point;
-    for (Eigen::Vector3d& at : track.positions) {
-      track.seen.push_back(is_seen(at));
-      if (!track.seen.back()) at.setZero();
+    track.weights = point.weights;
+    for (const Eigen::Vector3d& at : point.places) {
+      track.positions.push_back(is_seen(at) ? at : Eigen::Vector3d(Eigen::Vector3d::Zero()));
     }
     movement.bodies.push_back(std::move(track));
   }

@@ -41,6 +41,66 @@ Eigen::Vector3d turn_between(const double* from, const double* to) {
   return rotation_vector(first.conjugate() * second);
 }
 
+// A Butterworth filter of second order, there and back, so that nothing comes later. At both ends the values go on as
+// their mirror image about the last one.
+class LowPass {
+ public:
+  LowPass(double cutoff, double rate) {
+    const double k = std::tan(kPi * cutoff / rate), whole = 1 + std::sqrt(2.0) * k + k * k;
+    b_ = k * k / whole;
+    a1_ = 2 * (k * k - 1) / whole;
+    a2_ = (1 - std::sqrt(2.0) * k + k * k) / whole;
+  }
+
+  std::vector<double> filtered(const std::vector<double>& values) const {
+    const std::size_t n = values.size(), more = std::min<std::size_t>(n - 1, kMirrored);
+    std::vector<double> all;
+    for (std::size_t i = more; i > 0; --i) all.push_back(2 * values.front() - values[i]);
+    all.insert(all.end(), values.begin(), values.end());
+    for (std::size_t i = 1; i <= more; ++i) all.push_back(2 * values.back() - values[n - 1 - i]);
+    for (int way = 0; way < 2; ++way) {
+      run(all);
+      std::reverse(all.begin(), all.end());
+    }
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(more);
+    return {first, first + static_cast<std::ptrdiff_t>(n)};
+  }
+
+ private:
+  static constexpr std::size_t kMirrored = 100;
+
+  // Begins as if the first value had always been there.
+  void run(std::vector<double>& values) const {
+    double second = (b_ - a2_) * values[0], first = (2 * b_ - a1_) * values[0] + second;
+    for (double& value : values) {
+      const double given = value;
+      value = b_ * given + first;
+      first = 2 * b_ * given - a1_ * value + second;
+      second = b_ * given - a2_ * value;
+    }
+  }
+
+  double b_, a1_, a2_;
+};
+
+LowPass low_pass(const Movement& movement, double cutoff) {
+  constexpr std::size_t kLeastRows = 11;
+  const std::vector<double>& times = movement.times;
+  const double step = (times.back() - times.front()) / static_cast<double>(std::max<std::size_t>(2, times.size()) - 1);
+  bool equal = times.size() >= kLeastRows;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    equal = equal && std::abs(times[i] - times[i - 1] - step) < 0.01 * step;
+  if (!equal) {
+    throw Failure(movement.source + text(": --cutoff needs %zu rows or more in equal steps of time; there are %zu",
+                                         kLeastRows, times.size()));
+  }
+  if (!(cutoff < 0.5 / step)) {
+    throw Failure(movement.source +
+                  text(": --cutoff is %g Hz, expected less than half of the rate, %g Hz", cutoff, 0.5 / step));
+  }
+  return {cutoff, 1 / step};
+}
+
 }  // namespace
 
 Spline::Spline(std::vector<double> times, std::vector<double> values)
@@ -74,7 +134,7 @@ double Spline::at(double time) const {
   return v * a + u * b + width * width / 6 * ((v * v * v - v) * p + (u * u * u - u) * q);
 }
 
-Motion::Motion(const Movement& movement, const mimo::Env& env)
+Motion::Motion(const Movement& movement, const mimo::Env& env, double cutoff)
     : still_(env.get_values(MIMO_JOINT_POSITION, env.ids(MIMO_JOINT))),
       first_(movement.times.front()),
       last_(movement.times.back()),
@@ -84,6 +144,10 @@ Motion::Motion(const Movement& movement, const mimo::Env& env)
     if (joint.width != 7) continue;
     quaternions_.push_back(joint.quaternion());
     unwind(movement.source, columns, joint.quaternion());
+  }
+  if (cutoff > 0) {
+    const LowPass filter = low_pass(movement, cutoff);
+    for (auto& [place, column] : columns) column.values = filter.filtered(column.values);
   }
   for (const auto& [place, column] : columns) {
     const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());

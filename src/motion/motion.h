@@ -26,8 +26,9 @@ class Spline {
 
 class Motion {
  public:
-  // Joints without a track stay where the world has them. Throws a Failure where an orientation is not whole.
-  Motion(const Movement& movement, const mimo::Env& env);
+  // Joints without a track stay where the world has them. A cutoff, Hz, filters the tracks; 0: none. Throws a Failure
+  // where an orientation is not whole, and where rows cannot be filtered.
+  Motion(const Movement& movement, const mimo::Env& env, double cutoff = 0);
 
   double seconds() const { return last_ - first_; }
   std::size_t rows() const { return rows_; }

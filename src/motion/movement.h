@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <mimo/mimo.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,16 @@ struct JointTrack {
 // In the world's frame. One of the two may be empty: not told.
 struct BodyTrack {
   std::int32_t body;
-  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Vector3d> positions;  // where the movement has a camera: pixels u, v, and 0
   std::vector<Eigen::Quaterniond> orientations;
   Eigen::Vector3d pointer = Eigen::Vector3d::Zero();  // not 0: it counts only where this direction of the body points
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();   // of the point in the body's frame whose positions these are
   std::string point;                                  // its name; "" where it is the body itself
-  std::vector<bool> seen;                             // in which rows the position is known; empty: in all
+  std::vector<double> weights;                        // of the positions, 0 where they are not known; empty: 1 in all
 };
+
+// From the world to pixels: matrix * (x, y, z, 1) = s (u, v, 1), where s is the distance in front, m.
+using Camera = Eigen::Matrix<double, 3, 4>;
 
 struct Movement {
   std::string source;  // the file
@@ -40,6 +44,9 @@ struct Movement {
   std::vector<BodyTrack> bodies;
   std::vector<std::string> notes;  // what a reader should know of how the file was read
   bool of_another = false;  // who has other joints: joints should stay within their limits where bodies are followed
+  bool of_points = false;   // which may lie anywhere: the whole infant is turned before its joints are
+  bool robust = false;      // points that are far off count less
+  std::optional<Camera> camera;  // which saw the points
 };
 
 // A table with a column `time` in s, then any of

@@ -25,6 +25,10 @@ constexpr char kTime[] = "time", kActions[] = "actions", kRewards[] = "rewards",
                kOutcome[] = "outcome", kTerms[] = "terms", kDocuments[] = "scene/document", kWorld[] = "world";
 constexpr char kSceneFolder[] = "scene/";  // before the names of files that documents refer to
 
+// What a row of states/given says of a state: a step led to it, something else changed the world, or the steps from
+// there on follow a known movement, which only a replay by joints can.
+enum StateMark : std::uint8_t { kReached, kGiven, kMoves };
+
 // Written while a run goes on: what has been flushed stays readable, however the process ends. Both classes throw, and
 // take their turn with HDF5 by themselves.
 class Writer {

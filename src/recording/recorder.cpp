@@ -206,22 +206,32 @@ void Recorder::attempt(Work&& work) noexcept {
 }
 
 std::uint8_t* Recorder::step_begins(const env::World& world, std::uint8_t* block) noexcept {
+  return begins(world, block, false);
+}
+
+std::uint8_t* Recorder::movement_begins(const env::World& world, std::uint8_t* block) noexcept {
+  return begins(world, block, true);
+}
+
+std::uint8_t* Recorder::begins(const env::World& world, std::uint8_t* block, bool moved) noexcept {
   const std::lock_guard alone(mutex_);
   stepping_ = true;
-  attempt([&] { begin(world); });
+  attempt([&] { begin(world, moved); });
   if (own_task_) changes_ = world.changes();  // what the task does to the world in this step is a change, too
   return block == nullptr && !own_block_.empty() ? own_block_.data() : block;
 }
 
-void Recorder::begin(const env::World& world) {
-  const bool anew = changed(world);
-  if (anew || static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(world, anew);
+void Recorder::begin(const env::World& world, bool moved) {
+  const bool anew = changed(world) || moved != moved_;
+  moved_ = moved;
+  const StateMark mark = moved ? kMoves : anew ? kGiven : kReached;
+  if (anew || static_cast<std::size_t>(steps_) % state_every_ == 0) keep_state(world, mark);
   if (!begun_) begun_ = file_->flush_if_free();  // from here on a run that is killed can be replayed
 }
 
 bool Recorder::changed(const env::World& world) const { return steps_ > 0 && world.changes() != changes_; }
 
-void Recorder::keep_state(const env::World& world, bool changed) {
+void Recorder::keep_state(const env::World& world, StateMark mark) {
   save(world, state_);
   Growths body = growths_of(world);
   if (body != body_) {
@@ -229,10 +239,10 @@ void Recorder::keep_state(const env::World& world, bool changed) {
     keep_body(world, worlds_->described_at(body_).scene.package().document);
     ++bodies_;
   }
-  const std::uint8_t mark = changed ? 1 : 0;
   file_->append(kStates, Span<const std::uint8_t>(state_));
   file_->append(kStateSteps, &steps_);
-  file_->append(kStateGiven, &mark);
+  const std::uint8_t number = mark;
+  file_->append(kStateGiven, &number);
   file_->append(kStateBodies, &bodies_);
 }
 
@@ -302,7 +312,7 @@ void Recorder::ends(const env::World&) noexcept {
 void Recorder::finish() noexcept {
   attempt([&] {
     const env::World& world = *world_;
-    if (!world.physics().failed()) keep_state(world, changed(world));
+    if (!world.physics().failed()) keep_state(world, changed(world) ? kGiven : kReached);
     file_->close();
   });
   file_.reset();

@@ -39,6 +39,7 @@ class Recorder : public env::StepObserver {
   void require_whole() const;
 
   std::uint8_t* step_begins(const env::World& world, std::uint8_t* block) noexcept override;
+  std::uint8_t* movement_begins(const env::World& world, std::uint8_t* block) noexcept override;
   void step_ends(env::World& world, Span<const float> actions, const std::uint8_t* block) noexcept override;
   void step_failed() noexcept override;
   void goes_on_in(env::World& world) noexcept override;
@@ -58,10 +59,11 @@ class Recorder : public env::StepObserver {
   void describe_world(const document::Package& package);
   void describe_fields(const env::World& world, const std::vector<std::size_t>& kept);  // by number
   bool changed(const env::World& world) const;
-  void keep_state(const env::World& world, bool changed);
+  void keep_state(const env::World& world, StateMark mark);
   void keep_body(const env::World& world, const std::string& document);
   void write_results(const env::World& world);
-  void begin(const env::World& world);
+  void begin(const env::World& world, bool moved);
+  std::uint8_t* begins(const env::World& world, std::uint8_t* block, bool moved) noexcept;
   void write(const env::World& world, Span<const float> actions, const std::uint8_t* block);
   void finish() noexcept;
   template <typename Work>
@@ -75,6 +77,7 @@ class Recorder : public env::StepObserver {
   std::string trouble_;           // what went wrong first, "" for nothing
   bool told_ = false;             // to the user
   bool stepping_ = false;
+  bool moved_ = false;       // the last step followed a known movement
   bool begun_ = false;       // with a first state on its way to the disk
   std::size_t state_every_;  // steps
   double step_seconds_, flush_seconds_;

@@ -107,7 +107,8 @@ void Recording::read_states() {
   for (std::size_t i = 0; i < count; ++i) {
     if (steps[i] < (i > 0 ? steps[i - 1] : 0)) file_.damaged("'states/step' is not in order");
     if (bodies[i] < 0) file_.damaged("'states/body' is negative");
-    const State state{static_cast<std::size_t>(steps[i]), given[i] != 0, static_cast<std::size_t>(bodies[i])};
+    const State state{static_cast<std::size_t>(steps[i]), given[i] != kReached, given[i] == kMoves,
+                      static_cast<std::size_t>(bodies[i])};
     if (has_bodies && state.body >= bodies_) break;  // was not flushed any more
     states_.push_back(state);
   }
@@ -219,6 +220,10 @@ Growths Recording::growths_of_body(std::size_t body) const {
 void Recording::enter(blueprint::AgingWorld& target, std::size_t state) {
   if (bodies_ != 0) target.grow(growths_of_state(state));
   if (how_.by_joints) return;
+  if (states_[state].moves) {
+    fail(Status::kMismatch, "{}: its steps from {} on follow a known movement; a replay by joints plays them",
+         file_.path(), states_[state].step);
+  }
   require_same_model(target.world(), states_[state].body);
   const std::vector<std::uint8_t> row = file_.row(kStates, state);
   const Span<const std::uint8_t> bytes(row);

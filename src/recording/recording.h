@@ -64,7 +64,7 @@ class Recording {
  private:
   struct State {
     std::size_t step;
-    bool changed;
+    bool changed, moves;
     std::size_t body;
   };
 

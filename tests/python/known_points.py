@@ -37,7 +37,7 @@ def place(world, name):
             world.get(Quantity.GEOM_POSITION, ["head"])[0]
             + head @ np.array(axis) * world.get(Quantity.GEOM_SIZE, ["head"])[0, 0]
         )
-    if not joint:
+    if joint not in BODIES:
         return world.get(Quantity.BODY_POSITION, [name])[0]
     # Where the next part begins when it is straight: its own turns do not move that point of the part before.
     body = f"{side}_{BODIES[joint]}"
@@ -49,7 +49,7 @@ def place(world, name):
     return straight
 
 
-def movement(world, rows=12):
+def movement(world, rows=12, names=None):
     """Arms, legs and head move, and the whole body rises and turns. Angles of TOLD and the places of all points."""
     amounts = {
         "left_elbow": -1.2,
@@ -71,5 +71,5 @@ def movement(world, rows=12):
         world.set(Quantity.JOINT_POSITION, root, ["mimo_orientation"])
         world.update()
         angles.append(world.get(Quantity.JOINT_POSITION, TOLD).ravel())
-        points.append([place(world, name) for name in NAMES])
+        points.append([place(world, name) for name in names or NAMES])
     return np.array(angles), np.array(points)

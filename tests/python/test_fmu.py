@@ -56,7 +56,7 @@ class Running:
         self.told = fmpy.read_model_description(self.folder, validate=False)
         kind = {2: fmi2.FMU2Slave, 3: fmi3.FMU3Slave}[version]
         token = self.told.guid if version == 2 else self.told.instantiationToken
-        self.unit = kind(guid=token, modelIdentifier="mimo", unzipDirectory=self.folder, instanceName="infant")
+        self.unit = kind(guid=token, modelIdentifier="mimo_unit", unzipDirectory=self.folder, instanceName="infant")
         self.number = {it.name: it.valueReference for it in self.told.modelVariables}
         self.version = version
         self.unit.instantiate()
@@ -115,7 +115,7 @@ def test_a_unit_needs_nothing_outside(files):
         names = unit.namelist()
     (binary,) = [name for name in names if name.startswith("binaries/")]
     assert binary.split("/")[1] in ("x86_64-linux", "aarch64-linux")
-    assert binary.endswith("/mimo.so")
+    assert binary.endswith("/mimo_unit.so")
     assert {"modelDescription.xml", "resources/mimo.txt"} < set(names)
     assert any(name.startswith("resources/libmimo") for name in names)
     assert any(name.startswith("resources/libmujoco") for name in names)

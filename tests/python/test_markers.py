@@ -189,7 +189,7 @@ def test_other_units_axes_and_sizes(known, tmp_path):
     angles, points = known
     turned = 1.2 * points[:, :, [1, 2, 0]]
     write_trc(tmp_path / "run.trc", KEPT, turned, unit=1.0, word="m")
-    found, report = angles_of(tmp_path / "run.trc", "--up", "y")
+    found, report = angles_of(tmp_path / "run.trc", "--up", "y", "--age", "18")
     assert np.abs(found - angles).max() < 0.5 * DEGREE
     assert any("1.2 times as long" in note for note in report["notes"])
 

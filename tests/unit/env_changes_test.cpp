@@ -73,6 +73,7 @@ TEST(Changes, CountFailedSteps) {
   class Following : public env::StepObserver {
    public:
     std::uint8_t* step_begins(const env::World&, std::uint8_t* block) noexcept override { return block; }
+    std::uint8_t* movement_begins(const env::World&, std::uint8_t* block) noexcept override { return block; }
     void step_ends(env::World&, Span<const float>, const std::uint8_t*) noexcept override {}
     void step_failed() noexcept override {}
     void goes_on_in(env::World&) noexcept override {}

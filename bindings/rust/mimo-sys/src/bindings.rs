@@ -4013,11 +4013,12 @@ extern "C" {
     /// * `size`: sizeof(mimo_recorder_config) as the caller knows it.
     pub fn mimo_recorder_config_init(config: *mut mimo_recorder_config, size: usize) -> mimo_status;
 
-    /// Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world
-    /// of a batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to
-    /// another age; values that are set, loaded states, known movements, bare physics, sounds, random numbers) is
-    /// counted, and where something was, a state is kept from which a replay goes on there. Kept fields are sensed
-    /// also where a step skips them. A step that fails is not recorded. A clone is not recorded.
+    /// Records every mimo_env_step and mimo_env_follow of a world from now on: actions, rewards, joints and the chosen
+    /// fields; of a world of a batch also those of mimo_batch_step. Whatever else changes the world between two steps
+    /// (resets, also to another age; values that are set, loaded states, bare physics, sounds, random numbers) is
+    /// counted, and where something was, a state is kept from which a replay goes on there. Steps of mimo_env_follow
+    /// have no actions, and only a replay by joints plays them. Kept fields are sensed also where a step skips them. A
+    /// step that fails is not recorded. A clone is not recorded.
     ///
     /// A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes
     /// to the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened. Nothing is
