@@ -1031,6 +1031,7 @@ const std::string_view kNames[] = {
     "mimo_stage_view.fovy",
     "mimo_stage_view.geom_groups",
     "mimo_stage_view.height",
+    "mimo_stage_view.ortho_height",
     "mimo_stage_view.pose",
     "mimo_stage_view.position",
     "mimo_stage_view.render",

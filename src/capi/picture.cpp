@@ -140,7 +140,7 @@ void check_picture(const mimo_picture_config& config, const mimo_picture& to) {
 
 // What eyes that look from there would see; the same for a picture of no foveation.
 observation::FovealMap map_of(const mimo_picture_config& config, const render::View& from) {
-  return {config.height, config.width, render::focal_length(from.fovy, config.height), config.foveation};
+  return {config.height, config.width, render::pinhole_of(from, config.width, config.height), config.foveation};
 }
 
 void foveate(const env::World& world, const mimo_picture_config& config, const render::Picture& drawn) {

@@ -6,6 +6,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cstddef>
 #include <cstdio>
@@ -33,6 +34,12 @@ struct Flex {
   const float *texcoords, *rgba;        // texture coordinates: null for none
   double radius;
   bool flat;
+};
+
+// The sensor of a camera and the lens before it, which 2.2 does not have: lengths in m, across and up.
+struct Sensor {
+  std::array<double, 2> size, focal, principal;
+  bool given() const { return size[0] > 0 && size[1] > 0; }
 };
 
 #if MIMO_MUJOCO_4
@@ -116,6 +123,20 @@ inline Flex flex(const mjModel& model, int id) {
           model.flex_flatskin[id] != 0};
 }
 inline const double* flex_vertices(const mjData& data) { return data.flexvert_xpos; }
+
+inline Sensor sensor(const mjModel& model, int camera) {
+  const float *size = model.cam_sensorsize + 2 * camera, *intrinsic = model.cam_intrinsic + 4 * camera;
+  return {{size[0], size[1]}, {intrinsic[0], intrinsic[1]}, {intrinsic[2], intrinsic[3]}};
+}
+inline bool is_orthographic(const mjModel& model, int camera) {
+  return model.cam_projection[camera] == mjPROJ_ORTHOGRAPHIC;
+}
+inline bool is_free_orthographic(const mjModel& model) { return model.vis.global.orthographic != 0; }
+// A camera of OpenGL whose picture is so wide; 0: as wide as its shape says.
+inline void set_lens(mjvGLCamera& camera, bool orthographic, float width) {
+  camera.orthographic = orthographic;
+  camera.frustum_width = width;
+}
 
 // Corners of meshes' faces, counted from the mesh's first: of normals and of texture coordinates.
 inline const int* face_normals(const mjModel& model) { return model.mesh_facenormal; }
@@ -230,6 +251,11 @@ inline constexpr int kFlexGeom = -1;
 inline int flex_count(const mjModel&) { return 0; }
 inline Flex flex(const mjModel&, int) { return {}; }
 inline const double* flex_vertices(const mjData&) { return nullptr; }
+
+inline Sensor sensor(const mjModel&, int) { return {}; }
+inline bool is_orthographic(const mjModel&, int) { return false; }
+inline bool is_free_orthographic(const mjModel&) { return false; }
+inline void set_lens(mjvGLCamera&, bool, float) {}
 
 inline const int* face_normals(const mjModel& model) { return model.mesh_face; }
 inline const int* face_texcoords(const mjModel& model) { return model.mesh_face; }

@@ -17,9 +17,10 @@ std::unique_ptr<render::Renderer> make_rays(const engine::ModelPtr& model, const
   rays::Options options(quality);
   const auto textures = [&] { return rays::make_textures(model); };
   const auto assets = [&] {
+    for (const std::string& line : rays::omissions(*model)) services.log(LogLevel::kWarning, line);
     return rays::make_assets(model, services.textures == nullptr ? nullptr : services.textures->get(textures));
   };
-  if (services.shelf != nullptr) options.assets = services.shelf->get(assets);
+  options.assets = services.shelf != nullptr ? services.shelf->get(assets) : assets();
   return rays::make_renderer(model, options);
 }
 

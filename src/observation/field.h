@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/pinhole.h"
 #include "base/span.h"
 #include "mimo/observation.h"
 
@@ -59,14 +60,14 @@ struct Field {
   Span<const Receptor> receptors;   // on which it reports, in the order of its first axis; their skin outlives it, or
   std::shared_ptr<const std::vector<Receptor>> own_receptors;  // they are these
   bool exempt = false;   // from limits of senses: a task of the user's own tells it, or it is on request
-  double focal = 0;      // how far a picture is from its eye, in pixels; 0 for all else
+  Pinhole pinhole;       // that a picture is taken through; none for all else
   double foveation = 0;  // of a picture in colour: see Foveation; 0: as it was drawn
   // How fast its nerves are: a share of what large fibres conduct at, or a speed of their own in m/s where it is not 0.
   double nerve_share = 1, nerve_speed = 0;
   double sample_rate = 0;  // of sound, samples a second; 0 for all else
   std::size_t offset = 0;  // in the block; set by the layout
 
-  bool is_picture() const { return focal > 0; }
+  bool is_picture() const { return pinhole.focal_y > 0; }
   std::size_t count() const;
   std::size_t bytes() const { return count() * size_of(type); }
   // What element i of the flattened field is; "" where there are no labels.

@@ -58,12 +58,12 @@ std::uint32_t light_at(const Light* colour, std::size_t width, const Between& x,
 
 }  // namespace
 
-FovealMap::FovealMap(std::size_t height, std::size_t width, double focal, double strength)
+FovealMap::FovealMap(std::size_t height, std::size_t width, const Pinhole& pinhole, double strength)
     : strength_(strength),
       middle_x_(static_cast<double>(width - 1) / 2),
       middle_y_(static_cast<double>(height - 1) / 2),
       corner_(length_of(middle_x_, middle_y_)),
-      focal_(focal) {}
+      pinhole_(pinhole) {}
 
 double FovealMap::distance(Place place) const { return length_of(place[0] - middle_x_, place[1] - middle_y_); }
 
@@ -88,20 +88,23 @@ FovealMap::Place FovealMap::foveated(Place plain) const {
 }
 
 std::array<double, 3> FovealMap::direction(Place foveated) const {
+  if (pinhole_.parallel) return {0, 0, -1};
   const Place at = plain(foveated);
-  const double right = at[0] - middle_x_, down = at[1] - middle_y_;
-  const double length = std::sqrt(right * right + down * down + focal_ * focal_);
-  return {right / length, -down / length, -focal_ / length};
+  const double ahead = pinhole_.focal_y;  // pixels may be wider than they are high
+  const double right = (at[0] + 0.5 - pinhole_.center_x) * (ahead / pinhole_.focal_x);
+  const double down = at[1] + 0.5 - pinhole_.center_y;
+  const double length = std::sqrt(right * right + down * down + ahead * ahead);
+  return {right / length, -down / length, -ahead / length};
 }
 
 std::optional<FovealMap::Place> FovealMap::place(const std::array<double, 3>& direction) const {
-  if (!(direction[2] < 0)) return std::nullopt;
-  return foveated(
-      {middle_x_ + focal_ * direction[0] / -direction[2], middle_y_ + focal_ * direction[1] / direction[2]});
+  if (pinhole_.parallel || !(direction[2] < 0)) return std::nullopt;
+  return foveated({pinhole_.center_x - 0.5 + pinhole_.focal_x * direction[0] / -direction[2],
+                   pinhole_.center_y - 0.5 + pinhole_.focal_y * direction[1] / direction[2]});
 }
 
 FovealMap map_of(const Field& picture) {
-  return {picture.shape[0], picture.shape[1], picture.focal, picture.foveation};
+  return {picture.shape[0], picture.shape[1], picture.pinhole, picture.foveation};
 }
 
 Foveation::Foveation(std::size_t height, std::size_t width, const FovealMap& map)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/pinhole.h"
 #include "observation/contrast.h"
 #include "observation/field.h"
 
@@ -19,14 +20,15 @@ namespace mimo::observation {
 // times for 10.
 class FovealMap {
  public:
-  // `focal`: how far the plain picture is from the eye, in pixels. Strengths are 0, where both are alike, or above.
-  FovealMap(std::size_t height, std::size_t width, double focal, double strength);
+  // The plain picture is taken through the pinhole. Strengths are 0, where both are alike, or above.
+  FovealMap(std::size_t height, std::size_t width, const Pinhole& pinhole, double strength);
 
   // Places are counted from the middle of the first pixel on, x to the right, y down.
   using Place = std::array<double, 2>;
   // As a vector of length 1: x right, y up, z back.
   std::array<double, 3> direction(Place foveated) const;
-  // Of a direction, maybe beyond the picture's edges; none where it does not point forwards.
+  // Of a direction, maybe beyond the picture's edges; none where it does not point forwards, or where all rays are
+  // parallel.
   std::optional<Place> place(const std::array<double, 3>& direction) const;
   Place plain(Place foveated) const;
   Place foveated(Place plain) const;
@@ -43,7 +45,7 @@ class FovealMap {
 
   double strength_;
   double middle_x_, middle_y_, corner_;  // pixels
-  double focal_;                         // pixels
+  Pinhole pinhole_;
 };
 
 // Of a picture that is a field.

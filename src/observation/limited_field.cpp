@@ -24,11 +24,15 @@ Eyesight seen_with(const Limits& limits, Eyesight eyes) {
 }
 
 std::optional<EyeFilter> eye_of(const Field& field, const Limits& limits, const Eyesight& nature) {
-  const bool in_colour = is_picture(field) && field.focal > 0;
+  const bool in_colour = is_picture(field) && field.is_picture();
   require(limits.blur == 0 || in_colour, "blur is {}, but {} is not a colour picture", limits.blur, field.name);
+  if (in_colour && field.pinhole.parallel) {  // its pixels have no angles
+    require(limits.blur == 0, "blur is {}, but {} is the picture of an orthographic camera", limits.blur, field.name);
+    return std::nullopt;
+  }
   const Eyesight eyes = seen_with(limits, nature);
   if (!in_colour || !eyes.any()) return std::nullopt;
-  return EyeFilter(field.shape[0], field.shape[1], field.focal * kDegree, eyes);
+  return EyeFilter(field.shape[0], field.shape[1], field.pinhole.focal_y * kDegree, eyes);
 }
 
 std::optional<Foveation> fovea_of(const Field& field) {

@@ -167,8 +167,8 @@ class OpenGlRenderer final : public render::Renderer {
 
 void check(const render::View& view, const render::Picture& picture) {
   require(picture.width > 0 && picture.height > 0, "a picture of {}x{} pixels", picture.width, picture.height);
-  require(view.fovy > 0 && view.fovy < 180, "a field of view of {} degrees; expected more than 0 and less than 180",
-          view.fovy);
+  require(view.fovy > 0 && (view.parallel || view.fovy < 180),
+          "a field of view of {} degrees; expected more than 0 and less than 180", view.fovy);
 }
 
 void OpenGlRenderer::draw(const mjModel& model, const mjData& data, const render::View& view,

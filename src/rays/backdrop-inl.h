@@ -28,7 +28,7 @@ void PaintSky(const Backdrop& backdrop, const std::uint32_t* texels, const Tile&
   const V3 bx = Set(sky.bx);
   const V3 by = Set(sky.by);
   // The sky's map is turned but not scaled: from pixel to pixel, its direction changes as the ray does.
-  const V stretch = Set(tile.dx * tile.dx);
+  const V stretch = Set(tile.dx * tile.dx * sky.step * sky.step);
   for (int i = 0; i < kRays; i += lanes) {
     const M empty = hn::RebindMask(D(), hn::Lt(hn::Load(DI(), id + i), hn::Zero(DI())));
     if (None(empty)) continue;
@@ -61,11 +61,13 @@ void PaintHaze(const Backdrop& backdrop, const Tile& tile, Canvas& canvas) {
     const V t = Load(tile.t + i);
     if (All(hn::Lt(t, Set(0.3F * limit)))) continue;
     const V3 ray = a + by * Set(tile.y[i / kTile]) + bx * Load(tile.x + i % kTile);
-    const M down = hn::Lt(ray.z, Zero());
+    const V3 ahead = tile.parallel ? a : ray;
+    const M down = tile.parallel ? hn::Eq(one, one) : hn::Lt(ray.z, Zero());
     if (None(down)) continue;
-    const V level = hn::Sqrt(ray.x * ray.x + ray.y * ray.y);
-    const V drop = (Zero() - ray.z) / hn::Max(level, Set(1e-20F));
-    const V distance = e / hn::Max(e + drop, Set(1e-20F));
+    const V level = hn::Sqrt(ahead.x * ahead.x + ahead.y * ahead.y);
+    const V drop = (Zero() - ahead.z) / hn::Max(level, Set(1e-20F));
+    const V start = tile.parallel ? e + ray.z - a.z : e;  // above the ground, by how fast the cone rises
+    const V distance = start / hn::Max(e + drop, Set(1e-20F));
     const V height = one - (one - distance) * Set(1 / haze.radius);
     V alpha = hn::Min(height / turn, (one - height) / (one - turn));
     const M here = hn::And(hn::And(down, hn::Gt(alpha, Zero())), hn::Gt(t * level, distance * Set(limit)));

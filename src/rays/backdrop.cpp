@@ -16,10 +16,12 @@ Sky sky_of(const Texture* texture, const Camera& camera) {
   if (texture == nullptr) return sky;
   // MuJoCo's sky is a box map turned by 90 degrees about x.
   const auto turned = [](const Vec& v) { return narrow({v[0], v[2], -v[1]}); };
-  sky.a = turned(camera.axes.col(2));
-  sky.bx = turned(camera.axes.col(0));
-  sky.by = turned(camera.axes.col(1));
   sky.limit = 0.7F * camera.far_plane;
+  // Parallel rays are so many metres beside the eye, and all of their sky lies far ahead.
+  if (camera.rays == Rays::kParallel) sky.step = 1 / sky.limit;
+  sky.a = turned(camera.axes.col(2));
+  sky.bx = turned(sky.step * camera.axes.col(0));
+  sky.by = turned(sky.step * camera.axes.col(1));
   return sky;
 }
 
@@ -29,8 +31,8 @@ Haze haze_over(const Solid& plane, const render::Air& air, const Sky& sky, const
   Haze haze;
   haze.shown = height >= 0 && r > 0;
   haze.a = narrow(to_local(plane, camera.axes.col(2)));
-  haze.bx = narrow(to_local(plane, camera.axes.col(0)));
-  haze.by = narrow(to_local(plane, camera.axes.col(1)));
+  haze.bx = narrow(to_local(plane, sky.step * camera.axes.col(0)));
+  haze.by = narrow(to_local(plane, sky.step * camera.axes.col(1)));
   haze.elevation = static_cast<float>(height / sky.limit);
   haze.radius = static_cast<float>(r);
   const double alpha = fixed::atan2(1, r);

@@ -16,6 +16,7 @@ struct Sky {
   const Texture* texture = nullptr;  // null: there is none
   std::array<float, 3> a{}, bx{}, by{};
   float limit = 0;  // horizontal distance at which it hides the ground, 0 for no sky
+  float step = 1;   // the slope of a ray one beside the middle
 };
 
 // At the horizon of an endless plane, in whose frame the rays are a + x bx + y by.

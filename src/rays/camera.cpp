@@ -249,12 +249,13 @@ void Camera::place(const render::Air& air, const render::View& view, double aspe
   axes = view.rotation;
   axes.col(2) = -axes.col(2);
   reach = far_plane;
+  rays = view.parallel ? Rays::kParallel : Rays::kPerspective;
   if (view.edges.given()) {
     high = std::max(std::abs(view.edges.bottom), std::abs(view.edges.top));
     wide = std::max(std::abs(view.edges.left), std::abs(view.edges.right));
     return;
   }
-  high = fixed::tan(view.fovy * kPi / 360);
+  high = view.half_height();
   wide = high * aspect_ratio;
 }
 
@@ -290,6 +291,7 @@ void Mirror::hold(const Solids& solids, const Camera& camera, bool reflections) 
   reflectance = glass.material.reflectance;
   eye.position = camera.position + -2 * height * normal;
   for (int k = 0; k < 3; ++k) eye.axes.col(k) = camera.axes.col(k) + -2 * dot(camera.axes.col(k), normal) * normal;
+  eye.rays = camera.rays;
   eye.reach = camera.reach;
   eye.wide = camera.wide;
   eye.high = camera.high;

@@ -49,8 +49,10 @@ void PaintMirror(const Frame& frame, const Tile& tile, const std::int32_t* shown
   const Aspect& aspect = frame.camera.aspects[mirror];
   const V upper = Set(solid.kind == Form::kBox ? solid.size[2] * 0.9999F : -kMiss);
   for (int i = 0; i < kRays; i += lanes) {
-    const V z = Set(aspect.o[2]) + Load(tile.t + i) * (Set(aspect.a[2]) + Set(aspect.by[2]) * Set(tile.y[i / kTile]) +
-                                                       Set(aspect.bx[2]) * Load(tile.x + i % kTile));
+    const V across =
+        Set(aspect.a[2]) + Set(aspect.by[2]) * Set(tile.y[i / kTile]) + Set(aspect.bx[2]) * Load(tile.x + i % kTile);
+    const V start = tile.parallel ? across : Set(aspect.o[2]);
+    const V z = start + Load(tile.t + i) * (tile.parallel ? Set(aspect.o[2]) : across);
     M reflects = hn::RebindMask(D(), hn::Eq(hn::Load(DI(), shown + i), SetI(mirror)));
     reflects = hn::And(reflects, hn::Gt(z, upper));
     hn::Store(hn::IfThenElse(hn::RebindMask(DI(), reflects), hn::Load(DI(), id + i), SetI(-1)), DI(), id + i);

@@ -182,6 +182,7 @@ void DrawRow(const Grid& grid, int row) {
   tile.strip = &strip;
   tile.dx = grid.dx;
   tile.dy = grid.dy;
+  tile.parallel = grid.frame->camera.rays == Rays::kParallel;
   for (int k = 0; k < kTile; ++k) tile.y[k] = grid.y + static_cast<float>(row * kTile + k) * grid.dy;
   for (int column = 0; column < grid.tile_columns(); ++column) {
     const int place = column % tiles;

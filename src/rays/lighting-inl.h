@@ -220,10 +220,12 @@ template <Form kKind>
 HWY_INLINE Steps StepsAt(const Subject& subject, const Aspect& aspect, const V3& ray, const V3& n, V t) {
   const V3 bx = Set(aspect.bx);
   const V3 by = Set(aspect.by);
+  const bool parallel = subject.tile->parallel;
   // (Of a plane, t says how far away it is across.)
-  const V over = kKind == Form::kPlane ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
-  return {(bx - ray * (Along<kKind>(n, bx) * over)) * (t * Set(subject.tile->dx)),
-          (by - ray * (Along<kKind>(n, by) * over)) * (t * Set(subject.tile->dy))};
+  const V over = kKind == Form::kPlane && !parallel ? t * Set(-1 / aspect.o[2]) : Set(1.0F) / Along<kKind>(n, ray);
+  const V spread = parallel ? Set(1.0F) : t;
+  return {(bx - ray * (Along<kKind>(n, bx) * over)) * (spread * Set(subject.tile->dx)),
+          (by - ray * (Along<kKind>(n, by) * over)) * (spread * Set(subject.tile->dy))};
 }
 
 // The square of the texels that a pixel spans, of a flat texture, and of a cube's in texture space.
@@ -286,7 +288,7 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
 HWY_INLINE float SharpUpTo(const Subject& subject, const Aspect& aspect) {
   const Tile& tile = *subject.tile;
   const Material& material = subject.frame->solids[aspect.solid].material;
-  if (material.mapping.kind != Mapping::kFlat) return 0;
+  if (material.mapping.kind != Mapping::kFlat || tile.parallel) return 0;
   const float x = std::max(std::abs(tile.x[0]), std::abs(tile.x[kTile - 1]));
   const float y = std::max(std::abs(tile.y[0]), std::abs(tile.y[kTile - 1]));
   const float texels = std::max(std::abs(material.mapping.scale[0]) * static_cast<float>(material.texture->width),

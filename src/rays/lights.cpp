@@ -74,7 +74,7 @@ bool hides_all_behind(const Solid& plane, double side, const Solids& solids, con
 // An opaque plane never comes between a light and what a camera on the same side sees, unless that is seen past its
 // edges.
 bool never_shades(const Solid& solid, const Eye& light, const Solids& solids, const Eye& camera) {
-  if (solid.kind != Form::kPlane || solid.transparent) return false;
+  if (solid.kind != Form::kPlane || solid.transparent || camera.rays == Rays::kParallel) return false;
   const Vec normal = solid.rotation.col(2);
   const double light_side =
       light.rays == Rays::kParallel ? -dot(light.axes.col(2), normal) : dot(light.position - solid.position, normal);

@@ -36,6 +36,15 @@ struct Meeting {
     ahead = Dot(e2, q);
   }
 
+  // The same triangle and rays from elsewhere, where these are from the origin.
+  HWY_INLINE Meeting from(const V3& o) const {
+    Meeting other = *this;
+    other.s = s + o;
+    other.q = Cross(other.s, e1);
+    other.ahead = Dot(e2, other.q);
+    return other;
+  }
+
   // Those of `which` that do, and where. kBackToo: from behind as well.
   template <bool kBackToo>
   HWY_INLINE M at(const V3& d, M which, V& t) const {

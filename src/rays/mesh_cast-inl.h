@@ -134,6 +134,13 @@ class MeshCast {
 
   HWY_INLINE V3 toward(V x, V y) const { return Set(aspect_.a) + Set(aspect_.by) * y + Set(aspect_.bx) * x; }
 
+  // Where rays start; parallel ones each elsewhere.
+  HWY_INLINE V3 start() const { return tile_.parallel ? V3{Zero(), Zero(), Zero()} : Set(aspect_.o); }
+  HWY_INLINE M meet_at(const Meeting& meeting, const V3& across, M which, V& t) const {
+    if (tile_.parallel) return meeting.from(across).at<false>(Set(aspect_.o), which, t);
+    return meeting.at<false>(across, which, t);
+  }
+
   // An edge of the outlines of triangles, from its upper end.
   struct Edge {
     V x, y, along_x, lower, over;
@@ -170,7 +177,7 @@ class MeshCast {
       return Edge(Load(at_[2 * a] + from), Load(at_[2 * a + 1] + from), Load(at_[2 * b] + from),
                   Load(at_[2 * b + 1] + from));
     };
-    const Meeting meeting(Set(aspect_.o), three(0), three(3), three(6));
+    const Meeting meeting(start(), three(0), three(3), three(6));
     const Edge edges[3] = {edge(0, 1), edge(1, 2), edge(2, 0)};
     auto active = hn::FirstN(DI(), static_cast<std::size_t>(count));
     const VI rays = hn::IfThenElseZero(active, hn::Load(DI(), rays_ + from));
@@ -204,7 +211,7 @@ class MeshCast {
     alignas(64) float depth[hn::MaxLanes(D())];
     alignas(64) std::int32_t place[hn::MaxLanes(D())];
     V t;
-    M hit = meeting.at<false>(toward(FindSlope(tile_.x, column), y), on, t);
+    M hit = meet_at(meeting, toward(FindSlope(tile_.x, column), y), on, t);
     if (!kFromEach) hit = hn::And(hit, hn::Ge(t, Set(*from_)));
     if (None(hit)) return;
     Store(t, depth);
@@ -236,7 +243,7 @@ class MeshCast {
       const auto three = [&](int k) {
         return V3{Set(triangle[k][lane]), Set(triangle[k + 1][lane]), Set(triangle[k + 2][lane])};
       };
-      const Meeting meeting(Set(aspect_.o), three(0), three(3), three(6));
+      const Meeting meeting(start(), three(0), three(3), three(6));
       const Window w = {rays[2][lane], rays[3][lane], rays[0][lane], rays[1][lane]};
       meet_rays(meeting, number[lane], w);
     });
@@ -249,7 +256,7 @@ class MeshCast {
       for (int column = w.column0 / lanes * lanes; column <= w.column1; column += lanes) {
         const int i = row * kTile + column;
         V t;
-        M hit = meeting.at<false>(toward(Load(tile_.x + column), Set(tile_.y[row])), hn::Eq(Zero(), Zero()), t);
+        M hit = meet_at(meeting, toward(Load(tile_.x + column), Set(tile_.y[row])), hn::Eq(Zero(), Zero()), t);
         const V old = Load(met_.best + i);
         const VI id = hn::Load(DI(), met_.id + i);
         const VI face = hn::Load(DI(), met_.face + i);
@@ -294,11 +301,16 @@ HWY_NOINLINE void CastAtMesh(const Mesh& mesh, const Aspect& aspect, int index, 
                          {tile.x[w.column1], tile.y[w.row0]},
                          hn::GetLane(hn::MaxOfLanes(D(), farthest))};
   MeshCast<kFromEach> cast(aspect, index, tile, w, from, met);
-  const Sight sight = SightOf(aspect, false);
-  Sifter<false>(mesh, sight, pencil).each([&](int first, const Candidates& found) {
+  const Sight sight = SightOf(aspect, tile.parallel);
+  const auto meet = [&](int first, const Candidates& found) {
     cast.meet(first, found);
     return false;
-  });
+  };
+  if (tile.parallel) {  // backs are told from a point
+    Sifter<true>(mesh, sight, pencil).each(meet);
+  } else {
+    Sifter<false>(mesh, sight, pencil).each(meet);
+  }
   cast.finish();
 }
 

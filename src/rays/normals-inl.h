@@ -85,8 +85,8 @@ HWY_NOINLINE void FindNormals(const Frame& frame, const Aspect& aspect, int inde
     const VI i = hn::LoadU(DI(), rays + k);
     const V x = FindSlope(tile.x, hn::And(i, SetI(kTile - 1)));
     const V y = FindSlope(tile.y, hn::ShiftRight<4>(i));
-    const V3 ray = Set(aspect.a) + Set(aspect.by) * y + Set(aspect.bx) * x;
-    const V3 p = Set(aspect.o) + ray * hn::GatherIndex(D(), points.t, i);
+    const Ray ray = RayAcross(aspect, tile, Set(aspect.a) + Set(aspect.by) * y + Set(aspect.bx) * x);
+    const V3 p = ray.o + ray.d * hn::GatherIndex(D(), points.t, i);
     const V3 n = SurfaceAt(mesh, hn::GatherIndex(DI(), points.face, i), p).normal();
     hn::ScatterIndex(n.x, D(), normals.x, i);
     hn::ScatterIndex(n.y, D(), normals.y, i);

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "base/fail.h"
-#include "base/functions.h"
-#include "base/numbers.h"
 
 namespace mimo::rays {
 namespace {
@@ -55,8 +53,7 @@ Grid grid_for(const Frame& frame, const render::View& view, const render::Pictur
     grid.y = static_cast<float>(view.edges.top - 0.5 * dy);
     return grid;
   }
-  const double top = fixed::tan(view.fovy * kPi / 360);
-  const double step = 2 * top / grid.rows;  // pixels are square
+  const double step = 2 * view.half_height() / grid.rows;  // pixels are square
   grid.dx = static_cast<float>(step);
   grid.dy = static_cast<float>(-step);
   grid.x = static_cast<float>(step * (0.5 - 0.5 * grid.columns));

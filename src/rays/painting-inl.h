@@ -30,18 +30,21 @@ HWY_NOINLINE void PaintKind(Subject subject, const Window& w, Canvas& canvas) {
       const M mine = Mine(subject, i);
       if (None(mine)) continue;
       const V t = Load(subject.t + i);
-      const V3 ray =
-          Set(aspect.a) + Set(aspect.by) * Set(subject.tile->y[row]) + Set(aspect.bx) * Load(subject.tile->x + column);
-      const V3 p = Set(aspect.o) + ray * t;
+      const Ray ray = RayAcross(
+          aspect, *subject.tile,
+          Set(aspect.a) + Set(aspect.by) * Set(subject.tile->y[row]) + Set(aspect.bx) * Load(subject.tile->x + column));
+      const V3 p = ray.o + ray.d * t;
+      // Highlights are those of an eye where the camera is, even if its rays are parallel: so OpenGL has it.
+      const V3 seen = subject.tile->parallel ? p - Set(aspect.a) : ray.d;
       V3 n;
       if constexpr (kKind == Form::kMesh) {
         n = subject.normals->at(i);
       } else {
         n = Normal<kKind>(solid, p);
       }
-      V3 color = Lit<kKind, kGray>(subject, aspect, ray, p, n, i);
+      V3 color = Lit<kKind, kGray>(subject, aspect, seen, p, n, i);
       if (solid.material.mapping.kind != Mapping::kNone) {
-        const V3 texel = Textured<kKind>(subject, aspect, ray, p, n, t, i);
+        const V3 texel = Textured<kKind>(subject, aspect, ray.d, p, n, t, i);
         color = {color.x * texel.x, color.y * texel.y, color.z * texel.z};
       }
       color = AtMostWhite(color);

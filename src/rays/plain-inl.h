@@ -77,7 +77,7 @@ inline bool SeesAnything(const Eye& eye, const Tile& tile) {
 inline bool ColorPlane(const Frame& frame, int index, Tile& tile, std::uint32_t* out) {
   const Aspect& aspect = frame.camera.aspects[index];
   const Solid& solid = frame.solids[aspect.solid];
-  if (solid.kind != Form::kPlane || solid.transparent || frame.backdrop.fog.shown) return false;
+  if (solid.kind != Form::kPlane || solid.transparent || frame.backdrop.fog.shown || tile.parallel) return false;
   if (!FindDepths(frame, aspect, tile) || !Covers(solid, aspect, tile)) return false;
   if (frame.mirror.solid == aspect.solid && SeesAnything(frame.mirror.eye, tile)) return false;
   Shade shades[kMaxLights];

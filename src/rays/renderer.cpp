@@ -1,9 +1,12 @@
 #include "rays/renderer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/fail.h"
+#include "base/format.h"
 #include "base/pool.h"
+#include "engine/model.h"
 #include "rays/extras.h"
 #include "rays/frame.h"
 #include "rays/painter.h"
@@ -11,6 +14,8 @@
 
 namespace mimo::rays {
 namespace {
+
+constexpr int kMostLampType = 2;  // cones, parallel light, points: the others of MuJoCo 4 are pictures
 
 std::unique_ptr<Extras> extras_of(const mjModel& model, const Assets& assets) {
   return Extras::any(model) ? std::make_unique<Extras>(model, assets.surfaces) : nullptr;
@@ -62,6 +67,28 @@ std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model, std::sh
   const auto triangles = std::make_shared<const Meshes>(render::stage_of(*model));
   return std::make_shared<const Assets>(std::move(textures), triangles, triangles,
                                         std::make_shared<const std::vector<MovingSurface>>(surfaces_of(model)));
+}
+
+std::vector<std::string> omissions(const mjModel& model) {
+  std::vector<std::string> lines;
+  const render::Lights lights = render::stage_of(model).lights;
+  int shining = model.vis.headlight.active != 0 ? 1 : 0;
+  for (int i = 0; i < lights.count; ++i) {
+    if (!lights.active[i]) continue;
+    const std::string own = engine::name(model, engine::Kind::kLight, i);
+    const std::string light = own.empty() ? format("light {}", i) : format("light \"{}\"", own);
+    if (lights.types != nullptr && lights.types[i] > kMostLampType) {
+      lines.push_back(
+          format("{} does not shine as MuJoCo has it: its type is {}, drawn as a cone", light, lights.types[i]));
+    }
+    if (++shining > kMaxLights) {
+      lines.push_back(format("{} does not shine: {} others do, the most that a picture has", light, kMaxLights));
+    }
+  }
+  const int beams = static_cast<int>(
+      std::count(model.sensor_type, model.sensor_type + model.nsensor, static_cast<int>(mjSENS_RANGEFINDER)));
+  if (beams > 0) lines.push_back(format("the beams of {} range finders are not drawn", beams));
+  return lines;
 }
 
 std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const Options& options) {

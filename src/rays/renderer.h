@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/model.h"
 #include "rays/painter.h"
@@ -27,6 +28,9 @@ std::shared_ptr<const Textures> make_textures(const engine::ModelPtr& model);
 // fields. Throws as make_textures.
 std::shared_ptr<const Assets> make_assets(const engine::ModelPtr& model,
                                           std::shared_ptr<const Textures> textures = nullptr);
+
+// What of a model its pictures leave out although MuJoCo's show it: a line for each reason.
+std::vector<std::string> omissions(const mjModel& model);
 
 // Throws as make_textures, and Status::kInvalidArgument for a number of samples that it does not know.
 std::unique_ptr<render::Renderer> make_renderer(engine::ModelPtr model, const Options& options);

@@ -144,8 +144,8 @@ bool BoundTile(const Caster& light, const Tile& tile, Reach& reach) {
   for (int corner = 0; corner < 8; ++corner) {
     float p[3];
     for (int k = 0; k < 3; ++k) {
-      p[k] = light.o[k] +
-             (light.a[k] + light.bx[k] * x[corner & 1] + light.by[k] * y[corner >> 1 & 1]) * t[corner >> 2 & 1];
+      const float aside = light.bx[k] * x[corner & 1] + light.by[k] * y[corner >> 1 & 1], far = t[corner >> 2 & 1];
+      p[k] = light.o[k] + (tile.parallel ? light.a[k] * far + aside : (light.a[k] + aside) * far);
     }
     if (kRaysKind == Rays::kPerspective) {
       if (p[2] < 1e-4F) return false;
@@ -179,7 +179,9 @@ HWY_INLINE void PlacePoints(const Caster& light, const Tile& tile, int first, in
   const V3 lowest = high;
   for (int i = first; i < first + kBandRays; i += lanes) {
     const V3 base = a + Set(light.by) * Set(tile.y[i / kTile]);
-    V3 p = o + (base + bx * Load(tile.x + i % kTile)) * Load(tile.t + i);
+    const V3 across = base + bx * Load(tile.x + i % kTile);
+    const V t = Load(tile.t + i);
+    V3 p = tile.parallel ? o + across + a * (t - Set(1.0F)) : o + across * t;
     M valid = hn::RebindMask(D(), hn::Gt(hn::Load(DI(), tile.id + i), SetI(-1)));
     if (behind != 0) {
       const VI away = hn::And(hn::Load(DI(), tile.away + i), SetI(behind));

@@ -73,14 +73,14 @@ class SkyMap {
   static constexpr bool kCube = true;
 
   SkyMap(const Sky& sky, const Tile& tile, const Face& face, const Corners& major)
-      : tile_(tile), face_(face.number), width_(static_cast<float>(sky.texture->width)) {
+      : tile_(tile), face_(face.number), width_(static_cast<float>(sky.texture->width)), step_(tile.dx * sky.step) {
     const auto component = [&](int k, float sign) {
       return Linear{sign * sky.a[k], sign * sky.bx[k], sign * sky.by[k]};
     };
     major_ = component(face.major, face.major_sign);
     across_ = component(face.across, face.across_sign);
     down_ = component(face.down, face.down_sign);
-    const float spread = tile.dx * 0.5F * width_ / std::min(std::abs(major.least()), std::abs(major.most()));
+    const float spread = step_ * 0.5F * width_ / std::min(std::abs(major.least()), std::abs(major.most()));
     is_large_ = spread < 1 - kHair;
   }
 
@@ -98,7 +98,7 @@ class SkyMap {
     }
     // The sky's map is turned but not scaled: from pixel to pixel, its direction changes as the ray does.
     HWY_INLINE V level(int column) const {
-      const V each = scale_at(column) * Set(map_.tile_.dx * map_.width_);
+      const V each = scale_at(column) * Set(map_.step_ * map_.width_);
       return LevelOf(each * each);
     }
 
@@ -115,7 +115,7 @@ class SkyMap {
  private:
   const Tile& tile_;
   const int face_;
-  const float width_;
+  const float width_, step_;
   bool is_large_;
   Linear major_, across_, down_;  // of the direction in which a ray goes
 };

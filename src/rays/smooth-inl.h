@@ -306,6 +306,7 @@ struct Strip {
 
 // What is smooth on a plane across a tile, from its strip if that is smooth; null if it is not.
 inline const Smooth* SmoothAcross(const Subject& subject, Smooth& own) {
+  if (subject.tile->parallel) return nullptr;
   Strip& strip = *subject.tile->strip;
   if (strip.index != subject.index) {
     strip.index = subject.index;

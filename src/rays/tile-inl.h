@@ -41,15 +41,13 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
   const int first = w.column0 / lanes * lanes;
   const V3 bx = Set(aspect.bx);
   const VI index_v = hn::Set(DI(), index);
-  Ray ray;
-  ray.o = Set(aspect.o);
   for (int row = w.row0; row <= w.row1; ++row) {
     const float y = tile.y[row];
     const V3 base = {Set(aspect.a[0] + y * aspect.by[0]), Set(aspect.a[1] + y * aspect.by[1]),
                      Set(aspect.a[2] + y * aspect.by[2])};
     for (int column = first; column <= w.column1; column += lanes) {
       const int i = row * kTile + column;
-      ray.d = base + bx * Load(tile.x + column);
+      const Ray ray = RayAcross(aspect, tile, base + bx * Load(tile.x + column));
       const V old = Load(best + i);
       const V start = kFromEach ? Load(from + i) : Set(*from);
       const V t = Enter<kKind>(solid, ray);

@@ -12,6 +12,7 @@
 
 #include "rays/camera.h"
 #include "rays/lanes-inl.h"
+#include "rays/mesh-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
@@ -26,6 +27,7 @@ struct Tile {
   alignas(64) float x[kTile];  // slopes
   alignas(64) float y[kTile];
   float dx, dy;
+  bool parallel;                         // its rays are: x and y are places, m
   alignas(64) float t[kRays];            // depth of the nearest solid, kMiss for none
   alignas(64) std::int32_t id[kRays];    // its aspect, -1 for none
   alignas(64) std::int32_t face[kRays];  // its triangle, if it is a mesh
@@ -45,6 +47,12 @@ HWY_INLINE V FindSlope(const float* slopes, VI i) {
   } else {
     return hn::GatherIndex(D(), slopes, i);
   }
+}
+
+// The rays of a tile in the frame of what an aspect shows; `across` is a + x bx + y by, see Eye.
+HWY_INLINE Ray RayAcross(const Aspect& aspect, const Tile& tile, const V3& across) {
+  if (tile.parallel) return {across, Set(aspect.o)};
+  return {Set(aspect.o), across};
 }
 
 constexpr Window kNothing = {0, -1, 0, -1};

@@ -8,6 +8,8 @@
 #include <memory>
 #include <mutex>
 
+#include "base/pinhole.h"
+
 typedef struct mjData_ mjData;
 typedef struct mjModel_ mjModel;
 
@@ -17,13 +19,18 @@ namespace mimo::render {
 struct View {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // world, m
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();  // columns are right, up and backward in the world
-  double fovy = 60;                                    // vertical field of view, degrees
-  // Of a camera that is no pinhole before the middle of square pixels: slopes (over depth) of the picture's edges,
-  // which then count instead of fovy and the picture's shape.
+  double fovy = 60;       // vertical field of view, degrees; of an orthographic camera the height that it shows, m
+  bool parallel = false;  // it is orthographic: all rays go ahead
+  // Of a pinhole that is not before the middle of square pixels: slopes (over depth) of the picture's edges, which then
+  // count instead of fovy and the picture's shape.
   struct Edges {
     double left = 0, right = 0, bottom = 0, top = 0;
     bool given() const { return right > left && top > bottom; }
   } edges;
+
+  // Of a view without edges: from the middle of the picture to its upper edge, as a slope, or of parallel rays in
+  // metres.
+  double half_height() const;
 };
 
 // What is wanted; null pointers are not. Row 0 is the top.
@@ -63,8 +70,10 @@ class Renderer {
 class Shelf;
 std::shared_ptr<Shelf> make_shelf();
 
-// The view of a camera of the model, at its current pose; fovy 0 means the camera's own.
+// The view of a camera of the model, at its current pose; fovy 0 means the camera's own, or its sensor and lens.
 View camera_view(const mjModel& model, const mjData& data, int camera, double fovy = 0);
+// The same wherever the camera is: how wide it sees.
+View lens_of(const mjModel& model, int camera, double fovy);
 
 // The view of a free camera that looks at a point; angles in degrees as MuJoCo's free camera.
 View orbit_view(const Eigen::Vector3d& look_at, double distance, double azimuth, double elevation, double fovy);
@@ -84,8 +93,8 @@ View view_from(const mjModel& model, const mjData& data, const Viewpoint& from);
 
 // Where the world's points appear in a picture.
 
-// How far a picture so high is from its camera, in pixels; fovy is in degrees.
-double focal_length(double fovy, double height);
+// How a view maps what it sees onto a picture of so many pixels.
+Pinhole pinhole_of(const View& view, double width, double height);
 
 // Pixels right and pixels down from the picture's upper left corner, and the depth, m: negative behind the camera.
 Eigen::Vector3d project(const View& view, double width, double height, const Eigen::Vector3d& point);

@@ -1,13 +1,12 @@
 #include "render/visual_scene.h"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <iterator>
 
 #include "base/fail.h"
 #include "base/functions.h"
 #include "base/numbers.h"
+#include "compat/mujoco.h"
 #include "engine/guard.h"
 
 namespace mimo::render {
@@ -24,8 +23,8 @@ int most_shown(const mjModel& model) {
 // With the roundings of mjv_updateCamera, so that a view of a camera gives MuJoCo's own picture to the byte.
 mjvGLCamera gl_camera(const mjModel& model, const View& view) {
   const auto near = static_cast<float>(model.vis.map.znear * model.stat.extent);
-  const float top =
-      near * static_cast<float>(fixed::tan(static_cast<float>(view.fovy * static_cast<float>(kPi / 360))));
+  const auto half = static_cast<float>(view.fovy * static_cast<float>(kPi / 360));
+  const float top = view.parallel ? static_cast<float>(view.fovy / 2) : near * static_cast<float>(fixed::tan(half));
   mjvGLCamera camera{};
   for (int i = 0; i < 3; ++i) {
     camera.pos[i] = static_cast<float>(view.position[i]);
@@ -36,6 +35,13 @@ mjvGLCamera gl_camera(const mjModel& model, const View& view) {
   camera.frustum_bottom = -top;
   camera.frustum_near = near;
   camera.frustum_far = static_cast<float>(model.vis.map.zfar * model.stat.extent);
+  compat::set_lens(camera, view.parallel, 0);
+  if (!view.edges.given()) return camera;
+  const auto at_near = [near](double slope) { return near * static_cast<float>(slope); };
+  camera.frustum_top = at_near(view.edges.top);
+  camera.frustum_bottom = at_near(view.edges.bottom);
+  camera.frustum_center = at_near((view.edges.left + view.edges.right) / 2);
+  compat::set_lens(camera, false, at_near((view.edges.right - view.edges.left) / 2));
   return camera;
 }
 

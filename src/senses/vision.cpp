@@ -61,9 +61,10 @@ Vision::View Vision::view(const mjModel& model, const Lens& lens) {
   if (has_bit(options_.wanted, MIMO_VISION_SEGMENTATION)) {
     view.segmentation = add(lens.path + "_segmentation", observation::Type::kI32, "", -1, model.ngeom - 1);
   }
-  const double fovy = options_.fovy > 0 ? options_.fovy : model.cam_fovy[lens.camera];
+  const Pinhole pinhole =
+      render::pinhole_of(render::lens_of(model, lens.camera, options_.fovy), options_.width, options_.height);
   for (observation::Field& field : fields_) {
-    if (field.focal == 0) field.focal = render::focal_length(fovy, options_.height);  // those just added
+    if (!field.is_picture()) field.pinhole = pinhole;  // those just added
   }
   return view;
 }

@@ -55,6 +55,14 @@ void check_camera(const mimo_stage_view& view, std::size_t which) {
   };
   check(view.position, 3, "position");
   check(view.rotation, 9, "rotation");
+  if (view.ortho_height != 0) {
+    require(view.ortho_height >= 1e-6 && view.ortho_height < kFarthest,
+            "views[{}]: ortho_height is {}, expected metres above 0", which, view.ortho_height);
+    require(view.focal_x == 0 && view.focal_y == 0,
+            "views[{}]: ortho_height is {}, but focal lengths are given, which orthographic cameras do not have", which,
+            view.ortho_height);
+    return;
+  }
   if (view.focal_x == 0 && view.focal_y == 0) {
     require(view.fovy > 0 && view.fovy < 180, "views[{}]: fovy is {}, expected degrees above 0 and below 180", which,
             view.fovy);
@@ -100,7 +108,8 @@ render::View camera_of(const mimo_stage_view& view) {
   render::View camera;
   camera.position = Eigen::Map<const Eigen::Vector3d>(view.position);
   camera.rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(view.rotation);
-  camera.fovy = view.fovy;
+  camera.parallel = view.ortho_height != 0;
+  camera.fovy = camera.parallel ? view.ortho_height : view.fovy;
   if (view.focal_x != 0) {
     camera.edges.left = -view.center_x / view.focal_x;
     camera.edges.right = (view.width - view.center_x) / view.focal_x;

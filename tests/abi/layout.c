@@ -626,7 +626,7 @@ MEMBER(mimo_stage_poses, extra_colors, 200, 8);
 MEMBER(mimo_stage_poses, extra_materials, 208, 8);
 MEMBER(mimo_stage_poses, extra_objects, 216, 8);
 
-_Static_assert(sizeof(mimo_stage_view) == 168, "mimo_stage_view");
+_Static_assert(sizeof(mimo_stage_view) == 176, "mimo_stage_view");
 MEMBER(mimo_stage_view, struct_size, 0, 4);
 MEMBER(mimo_stage_view, pose, 4, 4);
 MEMBER(mimo_stage_view, width, 8, 4);
@@ -653,6 +653,7 @@ MEMBER(mimo_stage_view, depth_stride, 136, 8);
 MEMBER(mimo_stage_view, segmentation, 144, 8);
 MEMBER(mimo_stage_view, segmentation_count, 152, 8);
 MEMBER(mimo_stage_view, segmentation_stride, 160, 8);
+MEMBER(mimo_stage_view, ortho_height, 168, 8);
 
 _Static_assert(sizeof(mimo_recorder_config) == 64, "mimo_recorder_config");
 MEMBER(mimo_recorder_config, struct_size, 0, 4);

@@ -450,6 +450,35 @@ static void test_intrinsics(void) {
   mimo_stage_destroy(stage);
 }
 
+/* Parallel rays: a box 1 x .5 x 1 m shows as wide wherever it is, and its top is as far away all over. */
+static void test_orthographic(void) {
+  const int32_t form = MIMO_FORM_BOX;
+  const double size[3] = {0.5, 0.25, 0.5}, far_away[3] = {0, 0, 30};
+  const mimo_stage_shapes geoms = one_shape(&form, size);
+  const mimo_stage_poses poses = one_geom();
+  mimo_stage_view view = from(above);
+  mimo_stage* stage = stage_of(&geoms);
+  const size_t expected = 101 * 51; /* 201 pixels are 2 m: half of the box is 50.25 and 25.125 pixels of the middle */
+  view.ortho_height = 2;
+  draw(stage, &poses, &view);
+  CHECK_NEAR((double)expected, (double)pixels_of(0, 5), 1e-9);
+  CHECK(objects[2 * (MIDDLE + 50)] == 0 && objects[2 * (MIDDLE + 51)] == -1);
+  CHECK_NEAR(4.5, depth[MIDDLE], 1e-5);
+  CHECK_NEAR(4.5, depth[MIDDLE + 50], 1e-5);
+  view.position = far_away;
+  draw(stage, &poses, &view);
+  CHECK_NEAR((double)expected, (double)pixels_of(0, 5), 1e-9);
+  CHECK_NEAR(29.5, depth[MIDDLE], 1e-4);
+  view.focal_x = view.focal_y = 100;
+  {
+    const mimo_stage_poses* where = &poses;
+    const mimo_stage_view* seen = &view;
+    CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "ortho_height is 2, but focal lengths are given",
+                mimo_stage_draw(stage, &where, 1, &seen, 1));
+  }
+  mimo_stage_destroy(stage);
+}
+
 /* Rows that lie farther apart: what is between them stays. */
 static void test_strides(void) {
   enum { ROW = 3 * SIZE + 5 };
@@ -597,6 +626,7 @@ int main(void) {
   test_surfaces();
   test_tendons_and_extras();
   test_intrinsics();
+  test_orthographic();
   test_strides();
   test_batch();
   test_update();

@@ -27,6 +27,8 @@ ROW(mimo_stage_draw, ON_STAGE, draw_stage(a), NO_NULL(stage_poses, "poses[0] is 
     UNKNOWN_FIELD(stage_view, mimo_stage_view, geom_groups, 0x40, "geom_groups"),
     UNREAL(stage_view, mimo_stage_view, fovy, "fovy"), BAD_REAL(stage_view, mimo_stage_view, fovy, 180, "fovy"),
     BAD_REAL(stage_view, mimo_stage_view, focal_x, -1, "focal_x"),
+    UNREAL(stage_view, mimo_stage_view, ortho_height, "ortho_height"),
+    BAD_REAL(stage_view, mimo_stage_view, ortho_height, -1, "ortho_height"),
     UNREAL(stage_view, mimo_stage_view, focal_y, "focal_"), SHORT_FIELD(stage_view, mimo_stage_view, rgb_bytes, "rgb"),
     SHORT_FIELD(stage_view, mimo_stage_view, depth_count, "depth"),
     SHORT_FIELD(stage_view, mimo_stage_view, segmentation_count, "segmentation"),

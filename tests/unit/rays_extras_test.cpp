@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compat/mujoco.h"
 #include "support/scenes.h"
 #include "unit/rays/agreement.h"
 #include "unit/rays/support.h"
@@ -143,6 +144,25 @@ INSTANTIATE_TEST_SUITE_P(
              "</body>",
              ""}),
     [](const auto& given) { return given.param.name; });
+
+#if MIMO_MUJOCO_4
+
+// A soft body whose vertices move by themselves.
+std::string soft(const char* dimensions, const char* count, const char* more) {
+  return format(
+      "<flexcomp name='soft' type='grid' dim='{}' count='{}' spacing='.08 .08 .08' mass='1' pos='0 0 .3' {} "
+      "rgba='.8 .3 .4 1'><contact selfcollide='none'/></flexcomp>",
+      dimensions, count, more);
+}
+
+// (Of a sheet, MuJoCo draws a shadow only where its back is turned to the light.)
+INSTANTIATE_TEST_SUITE_P(RayFlexes, Extras,
+                         ::testing::Values(Case{"Rope", "", soft("1", "9 1 1", "radius='.02'"), "", false},
+                                           Case{"Sheet", "", soft("2", "7 7 1", "radius='.01'"), "", false},
+                                           Case{"Block", "", soft("3", "4 4 4", "radius='.005'"), "", false}),
+                         [](const auto& given) { return given.param.name; });
+
+#endif
 
 Case skin() { return {"", curtain(), kBones, "", true}; }
 

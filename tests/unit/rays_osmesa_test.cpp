@@ -58,6 +58,49 @@ TEST(RayOsmesa, TheInfantFromOutside) {
   agreement.expect(0.99, 0.97, 0.95);
 }
 
+#if MIMO_MUJOCO_4
+
+class Lenses : public ::testing::TestWithParam<const char*> {};
+
+// Cameras that are no pinhole before the middle of square pixels.
+TEST_P(Lenses, LookTheSame) {
+  const engine::ModelPtr model = engine::compile(
+      world(std::string("<light pos='0 0 3' dir='.2 .1 -1'/><light pos='1 -1 3' dir='-.3 .3 -1' type='directional'/>"
+                        "<geom type='plane' size='3 3 .1' material='tiles'/>"
+                        "<geom type='box' pos='.3 .1 .5' size='.2 .2 .25' material='shiny'/>"
+                        "<geom type='sphere' pos='-.5 .1 .5' size='.3' rgba='.8 .2 .1 1'/>"
+                        "<geom type='capsule' pos='-.5 .8 .5' size='.1 .3' euler='30 40 0' rgba='.2 .8 .1 .5'/>"
+                        "<geom type='cylinder' pos='.5 .8 .5' size='.1 .3' euler='30 40 0'/>"
+                        "<geom type='ellipsoid' pos='.5 -.7 .4' size='.1 .3 .2' material='shiny'/>"
+                        "<geom type='mesh' mesh='ball' pos='-.4 -.6 .6'/><camera pos='-1 -3 2' "
+                        "xyaxes='1 -.3 0 .15 .5 1' ") +
+                GetParam() + "/>",
+            "<texture name='sky' type='skybox' builtin='gradient' rgb1='.5 .7 .9' rgb2='.2 .3 .4' width='64' "
+            "height='64'/><texture name='tiles' type='2d' builtin='checker' rgb1='.2 .3 .4' rgb2='.6 .5 .2' width='64' "
+            "height='64'/><material name='tiles' texture='tiles' texrepeat='5 5' texuniform='true' "
+            "reflectance='.3'/><material name='shiny' rgba='.3 .3 .9 1' specular='1' shininess='.3'/>"
+            "<mesh name='ball' builtin='sphere' params='3' scale='.3 .2 .25'/>",
+            "<headlight ambient='.2 .2 .2' diffuse='.3 .3 .3' specular='.2 .2 .2'/>"),
+      {}, {});
+  const auto reference = osmesa_for(model);
+  if (!reference) GTEST_SKIP() << "there is no OSMesa on this machine";
+  Studio studio(model, {});
+  const render::View view = render::camera_view(*model, studio.physics().data(), 0);
+  Shot theirs(192, 160);
+  reference->draw(*model, studio.physics().data(), view, theirs.picture());
+  Agreement agreement;
+  agreement.add(studio.shoot(view, 192, 160), theirs);
+  agreement.expect(0.99, 0.97, 0.93);
+}
+
+INSTANTIATE_TEST_SUITE_P(RayOsmesa, Lenses,
+                         ::testing::Values("resolution='192 160' sensorsize='.024 .02' focal='.02 .02' "
+                                           "principal='.004 .002'",
+                                           "resolution='192 160' sensorsize='.024 .02' focal='.01 .02'",
+                                           "projection='orthographic' fovy='2.5'"));
+
+#endif
+
 struct Switch {
   const char* name;
   bool render::Quality::*on;

@@ -784,6 +784,10 @@ namespace Mimo
         /// <summary>Likewise from the upper edge.</summary>
         public double CenterY { get { return raw.center_y; } set { raw.center_y = value; } }
 
+        /// <summary>m, &gt; 0: an orthographic camera, which sees so much from the lower edge to the upper one; fovy
+        /// does not count then, and focal lengths are 0. 0 (default): a perspective.</summary>
+        public double OrthoHeight { get { return raw.ortho_height; } set { raw.ortho_height = value; } }
+
         /// <summary>The struct, valid as long as the parts.</summary>
         internal StageViewStruct Raw(PinnedParts parts)
         {

@@ -1165,8 +1165,9 @@ namespace Mimo
         internal IntPtr segmentation;
         internal UIntPtr segmentation_count;
         internal UIntPtr segmentation_stride;
+        internal double ortho_height;
 
-        internal const uint Bytes = 168;
+        internal const uint Bytes = 176;
 
         internal static StageViewStruct New()
         {

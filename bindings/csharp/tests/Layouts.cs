@@ -154,12 +154,12 @@ internal static partial class Tests
             "tendon_count 112 8, tendon_first 120 8, tendon_points 128 8, path_points 136 8, path_objects 144 8, " +
             "path_count 152 8, extra_count 160 8, extra_forms 168 8, extra_sizes 176 8, extra_positions 184 8, " +
             "extra_rotations 192 8, extra_colors 200 8, extra_materials 208 8, extra_objects 216 8" },
-        { typeof(StageViewStruct), "168: " +
+        { typeof(StageViewStruct), "176: " +
             "struct_size 0 4, pose 4 4, width 8 4, height 12 4, render 16 4, samples 20 4, geom_groups 24 4, " +
             "site_groups 28 4, surface_groups 32 4, tendon_groups 36 4, position 40 8, rotation 48 8, fovy 56 8, " +
             "focal_x 64 8, focal_y 72 8, center_x 80 8, center_y 88 8, rgb 96 8, rgb_bytes 104 8, rgb_stride 112 8, " +
             "depth 120 8, depth_count 128 8, depth_stride 136 8, segmentation 144 8, segmentation_count 152 8, " +
-            "segmentation_stride 160 8" },
+            "segmentation_stride 160 8, ortho_height 168 8" },
         { typeof(RecorderConfigStruct), "64: " +
             "struct_size 0 4, compression 4 4, keep 8 8, state_seconds 16 8, flush_seconds 24 8, configuration 32 8, " +
             "seed 40 8, hdf5 48 8, replace 56 4, reserved 60 4" },

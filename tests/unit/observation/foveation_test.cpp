@@ -13,7 +13,9 @@ constexpr double kPi = 3.14159265358979323846;
 
 // Of a picture 60 degrees high.
 FovealMap map(std::size_t height, std::size_t width, double strength) {
-  return {height, width, static_cast<double>(height) / 2 / std::tan(kPi / 6), strength};
+  const double focal = static_cast<double>(height) / 2 / std::tan(kPi / 6);
+  const Pinhole pinhole{focal, focal, static_cast<double>(width) / 2, static_cast<double>(height) / 2};
+  return {height, width, pinhole, strength};
 }
 
 Foveation foveation(std::size_t height, std::size_t width, double strength) {

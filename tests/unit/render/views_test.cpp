@@ -1,11 +1,11 @@
 // Views agree with MuJoCo's own cameras; where points appear in a picture.
 
 #include <gtest/gtest.h>
-#include <mujoco/mujoco.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "compat/mujoco.h"
 #include "render/renderer.h"
 #include "unit/render/fixture.h"
 
@@ -50,6 +50,61 @@ TEST(Views, CameraHasItsOwnFieldOfViewUnlessToldOtherwise) {
   EXPECT_EQ(camera_view(*world.model, world.physics.data(), above).fovy, 45);
   EXPECT_EQ(camera_view(*world.model, world.physics.data(), above, 70).fovy, 70);
 }
+
+#if MIMO_MUJOCO_4
+
+// A camera above the origin.
+World filmed(const std::string& camera) {
+  return World("<mujoco><worldbody><geom size='.1'/><camera pos='0 0 3' " + camera + "/></worldbody></mujoco>");
+}
+
+mjvGLCamera mujoco_camera(const World& world) {
+  mjvCamera camera;
+  mjv_defaultCamera(&camera);
+  camera.type = mjCAMERA_FIXED;
+  camera.fixedcamid = 0;
+  return mujoco_camera(world, camera);
+}
+
+// 20 x 10 mm behind 20 and 10 mm of focal length: slopes are 10 / 20 and 5 / 10, moved by 2 / 20 and -1 / 10.
+TEST(Views, ASensorIsThatOfMujoco) {
+  const World world = filmed("resolution='128 64' sensorsize='.02 .01' focal='.02 .01' principal='.002 .001'");
+  const mjvGLCamera theirs = mujoco_camera(world);
+  const View::Edges edges = camera_view(*world.model, world.physics.data(), 0).edges;
+  const double near = theirs.frustum_near;
+  EXPECT_NEAR(edges.left, 0.1 - 0.5, 1e-6);
+  EXPECT_NEAR(edges.right, 0.1 + 0.5, 1e-6);
+  EXPECT_NEAR(edges.bottom, -0.1 - 0.5, 1e-6);
+  EXPECT_NEAR(edges.top, -0.1 + 0.5, 1e-6);
+  EXPECT_NEAR(edges.left, (theirs.frustum_center - theirs.frustum_width) / near, 1e-6);
+  EXPECT_NEAR(edges.right, (theirs.frustum_center + theirs.frustum_width) / near, 1e-6);
+  EXPECT_NEAR(edges.bottom, theirs.frustum_bottom / near, 1e-6);
+  EXPECT_NEAR(edges.top, theirs.frustum_top / near, 1e-6);
+  // The origin is on its axis: 40 % of the width and of the height from the upper left corner.
+  const Eigen::Vector3d middle = project(camera_view(*world.model, world.physics.data(), 0), 200, 100, {0, 0, 0});
+  EXPECT_LT((middle - Eigen::Vector3d(80, 40, 3)).norm(), 1e-4);
+}
+
+TEST(Views, AFieldOfViewTakesTheSensorsPlace) {
+  const World world = filmed("resolution='128 64' sensorsize='.02 .01' focal='.02 .01' principal='.002 .001'");
+  const View view = camera_view(*world.model, world.physics.data(), 0, 70);
+  EXPECT_FALSE(view.edges.given());
+  EXPECT_EQ(view.fovy, 70);
+}
+
+TEST(Views, AnOrthographicCameraIsThatOfMujoco) {
+  const World world = filmed("projection='orthographic' fovy='4'");
+  const View view = camera_view(*world.model, world.physics.data(), 0);
+  const mjvGLCamera theirs = mujoco_camera(world);
+  EXPECT_EQ(theirs.orthographic, 1);
+  EXPECT_TRUE(view.parallel);
+  EXPECT_NEAR(view.half_height(), theirs.frustum_top, 1e-6);
+  // 4 m are 100 pixels, wherever a point is.
+  EXPECT_LT((project(view, 200, 100, {1, 0.5, 0}) - Eigen::Vector3d(125, 37.5, 3)).norm(), 1e-9);
+  EXPECT_LT((project(view, 200, 100, {1, 0.5, -7}) - Eigen::Vector3d(125, 37.5, 10)).norm(), 1e-9);
+}
+
+#endif
 
 TEST(Views, OrbitIsMujocosFreeCamera) {
   const World world;

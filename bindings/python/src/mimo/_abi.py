@@ -934,6 +934,7 @@ class StageView(Struct):
         ("segmentation", c_void_p),
         ("segmentation_count", c_size_t),
         ("segmentation_stride", c_size_t),
+        ("ortho_height", c_double),
     ]
 
 

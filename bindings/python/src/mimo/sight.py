@@ -44,8 +44,6 @@ class Sight:
             raise ValueError("camera is one of type mjCAMERA_USER, expected a free, tracking or fixed one")
         mujoco.mjv_updateCamera(self._model, data, self.camera, self._scene)
         left, right = self._eyes
-        if getattr(left, "orthographic", 0):
-            raise ValueError(f"camera {described(camera)} is orthographic, expected one with a perspective")
         self._place([(a + b) / 2 for a, b in zip(left.pos.tolist(), right.pos.tolist())], left)
         self._open(left, right)
 
@@ -82,8 +80,12 @@ class Sight:
         self._rotation[:] = rx, ux, -fx, ry, uy, -fy, rz, uz, -fz
 
     def _open(self, left: Any, right: Any) -> None:
-        """The frustum: symmetric ones by their angle, others by focal lengths and the principal point."""
+        """The frustum: symmetric ones by their angle or height, others by focal lengths and the principal point."""
         view, near, top, bottom = self.struct, left.frustum_near, left.frustum_top, left.frustum_bottom
+        view.ortho_height = top - bottom if getattr(left, "orthographic", 0) else 0
+        if view.ortho_height:
+            view.focal_x = view.focal_y = 0
+            return
         middle = (left.frustum_center + right.frustum_center) / 2
         half_width = getattr(left, "frustum_width", 0) or (top - bottom) / 2 * view.width / view.height
         if top == -bottom and not middle and not getattr(left, "frustum_width", 0):

@@ -112,7 +112,8 @@ class StageView:
 
     `position` (3) and `rotation` (3 x 3: x right, y up and z backward, as columns in the world) place the camera.
     `rgb`, `depth` and `segmentation` choose the parts of the picture. `focal` and `center` (pixels) take the place of
-    `fovy` (degrees) where a camera's axis does not go through the middle.
+    `fovy` (degrees) where a camera's axis does not go through the middle. `ortho_height` (m) makes the camera
+    orthographic: it sees so much from the lower edge to the upper one.
     """
 
     def __init__(
@@ -131,6 +132,7 @@ class StageView:
         samples: int = 1,
         render: Any = None,
         pose: int = 0,
+        ortho_height: float = 0,
     ) -> None:
         self.struct = defaults(_abi.StageView)
         self._camera = [vector("position", position, 3), np.ascontiguousarray(rotation, np.float64).reshape(-1)]
@@ -140,6 +142,7 @@ class StageView:
         self.struct.width, self.struct.height = pixels("width", width), pixels("height", height)
         self.struct.fovy, self.struct.samples = real_number("fovy", fovy), number_of("samples", samples)
         self.struct.pose = number_of("pose", pose)
+        self.struct.ortho_height = real_number("ortho_height", ortho_height)
         if focal is not None:
             self.struct.focal_x, self.struct.focal_y = vector("focal", focal, 2).tolist()
             middle = (width / 2, height / 2) if center is None else center

@@ -2626,6 +2626,9 @@ pub struct mimo_stage_view {
     pub segmentation_count: usize,
     /// Numbers.
     pub segmentation_stride: usize,
+    /// m, > 0: an orthographic camera, which sees so much from the lower edge to the upper one; fovy does not count
+    /// then, and focal lengths are 0. 0 (default): a perspective.
+    pub ortho_height: f64,
 }
 
 /// What is recorded, and how.

@@ -95,6 +95,8 @@ pub struct StageView {
     pub focal: [f64; 2],
     /// With focal lengths: the principal point, pixels from the left and the upper edge.
     pub center: [f64; 2],
+    /// Of an orthographic camera: what it sees from the lower edge to the upper one, m; 0: a perspective.
+    pub ortho_height: f64,
 }
 
 impl StageView {
@@ -116,6 +118,7 @@ impl StageView {
             fovy: raw.fovy,
             focal: [raw.focal_x, raw.focal_y],
             center: [raw.center_x, raw.center_y],
+            ortho_height: raw.ortho_height,
         })
     }
 
@@ -137,6 +140,7 @@ impl StageView {
         raw.focal_y = self.focal[1];
         raw.center_x = self.center[0];
         raw.center_y = self.center[1];
+        raw.ortho_height = self.ortho_height;
         raw.rgb_bytes = picture.rgb.len();
         raw.depth_count = picture.depth.len();
         raw.segmentation_count = picture.segmentation.len();
