@@ -85,9 +85,9 @@ std::vector<std::string> omissions(const mjModel& model) {
       lines.push_back(format("{} does not shine: {} others do, the most that a picture has", light, kMaxLights));
     }
   }
-  const int beams = static_cast<int>(
-      std::count(model.sensor_type, model.sensor_type + model.nsensor, static_cast<int>(mjSENS_RANGEFINDER)));
-  if (beams > 0) lines.push_back(format("the beams of {} range finders are not drawn", beams));
+  if (std::count(model.sensor_type, model.sensor_type + model.nsensor, +mjSENS_RANGEFINDER) > 0) {
+    lines.push_back("beams of range finders are not drawn");
+  }
   return lines;
 }
 

@@ -82,3 +82,24 @@ def test_models_of_the_library(root, name, joints, actuators, touched):
     assert seen.get("proprioception/control", np.empty(0)).shape == (actuators,)
     assert seen["touch/force"].any() == touched
     assert seen["vestibular/acceleration"] == pytest.approx([0, 0, 9.81])  # the world itself stays where it is
+
+
+def test_a_world_tells_once_by_name_what_its_cameras_leave_out(tmp_path, caplog):
+    """Pictures have eight lights, the headlight among them: of nine others the last two do not shine."""
+    lights = "".join(f'<light name="lamp{i}" pos="0 0 3"/>' for i in range(9))
+    file = tmp_path / "dazzling.xml"
+    file.write_text(
+        f'<mujoco><worldbody>{lights}<body name="robot"><freejoint/><geom size=".1"/><site name="nose"/>'
+        '<camera name="front"/></body></worldbody><sensor><rangefinder site="nose"/></sensor></mujoco>'
+    )
+    scene = mimo.Scene(file=file)
+    scene.add_agent(body="scene", root="robot", touch=False, vestibular=False, vision=True)
+    with caplog.at_level("WARNING", "mimo"), mimo.Batch(scene, 3) as batch:
+        batch.reset(seeds=0)
+    told = [record.getMessage() for record in caplog.records if "shine" in record.message or "drawn" in record.message]
+    caplog.clear()  # expected
+    assert told == [
+        'light "lamp7" does not shine: 8 others do, the most that a picture has',
+        'light "lamp8" does not shine: 8 others do, the most that a picture has',
+        "beams of range finders are not drawn",
+    ]
