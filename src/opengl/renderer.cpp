@@ -213,7 +213,7 @@ void OpenGlRenderer::measure(const render::Picture& picture) {
                       static_cast<std::size_t>(picture.width) * 4, picture.height);
   }
   if (picture.depth != nullptr) {
-    render::depth_to_metres(picture.depth, count, scene_.near(), scene_.far());
+    render::depth_to_metres(picture.depth, count, scene_.near(), scene_.far(), scene_.parallel());
     render::flip_rows(reinterpret_cast<unsigned char*>(picture.depth), static_cast<std::size_t>(picture.width) * 4,
                       picture.height);
   }

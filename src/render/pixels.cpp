@@ -41,7 +41,11 @@ void add_alpha(unsigned char* pixels, std::size_t count) {
   }
 }
 
-void depth_to_metres(float* depth, std::size_t count, double near, double far) {
+void depth_to_metres(float* depth, std::size_t count, double near, double far, bool parallel) {
+  if (parallel) {
+    for (std::size_t i = 0; i < count; ++i) depth[i] = static_cast<float>(near + depth[i] * (far - near));
+    return;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     depth[i] = static_cast<float>(near * far / (far - static_cast<double>(depth[i]) * (far - near)));
   }

@@ -30,8 +30,8 @@ void flip_rows(unsigned char* pixels, std::size_t row_bytes, int rows);
 // Three bytes a pixel become four, in place: the fourth is 255.
 void add_alpha(unsigned char* pixels, std::size_t count);
 
-// Depth buffer values of a perspective with these planes -> metres along the camera's axis.
-void depth_to_metres(float* depth, std::size_t count, double near, double far);
+// Depth buffer values between these planes, of a perspective or of parallel rays -> metres along the camera's axis.
+void depth_to_metres(float* depth, std::size_t count, double near, double far, bool parallel = false);
 
 // Colours of MuJoCo's mjRND_IDCOLOR (red first, 0 is background, else 1 + index) -> the geoms of these indices.
 void ids_to_geoms(const unsigned char* colours, std::size_t count, const std::vector<std::int32_t>& geoms,

@@ -74,6 +74,7 @@ void VisualScene::update(const mjModel& model, const mjData& data, const View& v
   // MuJoCo averages two cameras, for left and right. They are set before the update, which centres infinite planes on
   // them: else the previous picture's camera would show in the next.
   scene_.camera[0] = scene_.camera[1] = gl_camera(model, view);
+  parallel_ = view.parallel;
   // It writes to mjData only when the list is full (see most_shown), and takes mjData* for that.
   mjData* unchanged = const_cast<mjData*>(&data);
   const engine::Complaint complaint =

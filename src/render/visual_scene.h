@@ -32,6 +32,7 @@ class VisualScene {
 
   mjvScene* get() { return &scene_; }
   const mjvScene& scene() const { return scene_; }
+  bool parallel() const { return parallel_; }  // as of the last view
   float near() const { return scene_.camera[0].frustum_near; }
   float far() const { return scene_.camera[0].frustum_far; }
 
@@ -39,6 +40,7 @@ class VisualScene {
   mjvScene scene_;
   mjvOption option_;
   std::vector<std::int32_t> geoms_;
+  bool parallel_ = false;
 };
 
 }  // namespace mimo::render

@@ -30,6 +30,12 @@ TEST(Pixels, DepthRunsFromNearToFar) {
   EXPECT_EQ(depth[2], 100.0F);
 }
 
+TEST(Pixels, DepthOfParallelRaysIsEven) {
+  std::vector<float> depth = {0, 0.25F, 1};
+  depth_to_metres(depth.data(), depth.size(), 2, 10, true);
+  EXPECT_EQ(depth, (std::vector<float>{2, 4, 10}));
+}
+
 TEST(Pixels, IdsNameGeoms) {
   const std::vector<unsigned char> colours = {0, 0, 0, 1, 0, 0, 2, 0, 0, 1, 1, 0, 0, 0, 1};
   std::vector<std::int32_t> geoms(70000, -1);

@@ -3,6 +3,7 @@
     python -m mimo.bench_cameras                    # models of the packages that are installed, against OSMesa
     python -m mimo.bench_cameras --gl egl           # against a graphics card
     python -m mimo.bench_cameras robot.xml --camera wrist --depth
+    python -m mimo.bench_cameras --compare          # which pictures of the packages' models differ, without times
 
 One core draws, unless --cores says otherwise. Times are the shortest of --rounds turns: processor time on one core
 without a graphics card, which what else runs on the machine disturbs little, otherwise time that passes.
@@ -34,6 +35,12 @@ USUAL = {  # models that many know, by package
     "robosuite": ("models/assets/robots/panda/robot.xml",),
     "dm_control": ("suite/humanoid.xml", "suite/quadruped.xml", "suite/cheetah.xml", "suite/dog.xml"),
 }
+WHOLE = {  # where packages keep models
+    "gymnasium": "envs/mujoco/assets/*.xml",
+    "gymnasium_robotics": "envs/assets/**/*.xml",
+    "dm_control": "suite/*.xml",
+}
+MUCH = (2.0, 0.005, 0.005)  # what --compare lists: more than so many levels of 255, more than such a share of pixels
 NEAR = 1e-3  # of the depth: what two renderers may differ by
 
 
@@ -57,6 +64,8 @@ def main(arguments: Optional[List[str]] = None) -> None:
     os.environ.setdefault("MUJOCO_GL", options.gl)
     mujoco: Any = importlib.import_module("mujoco")
     print(f"MuJoCo {mujoco.__version__}, {os.environ['MUJOCO_GL']}, {options.size} x {options.size} pixels")
+    if options.compare:
+        return print_differences(mujoco, options)
     print("| model | triangles | mimo, ms | mujoco, ms | times | difference | depth | objects |")
     print("|---|--:|--:|--:|--:|--:|--:|--:|")
     for file in options.files or list(installed()):
@@ -78,6 +87,7 @@ def _options(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="python -m mimo.bench_cameras", description=__doc__.splitlines()[0])
     parser.add_argument("files", nargs="*", help="MJCF files; default: models of the packages that are installed")
     parser.add_argument("--camera", default=-1, help="a camera's name; default: the free one")
+    parser.add_argument("--compare", action="store_true", help="list the models' pictures that differ much")
     parser.add_argument("--size", type=int, default=256, help="width and height, pixels (%(default)s)")
     parser.add_argument("--gl", default="osmesa", choices=["osmesa", "egl", "glfw"], help="MUJOCO_GL (%(default)s)")
     parser.add_argument("--depth", action="store_true", help="measure a colour and a depth picture, not a colour one")
@@ -93,6 +103,52 @@ def installed() -> Iterator[str]:
         spec = importlib.util.find_spec(package)
         for folder in (spec.submodule_search_locations or []) if spec else []:
             yield from (str(Path(folder) / file) for file in files if (Path(folder) / file).is_file())
+
+
+def print_differences(mujoco: Any, options: argparse.Namespace) -> None:
+    """Prints a table of the pictures that differ by more than MUCH, of the free camera and the first two others."""
+    print("| model | camera | difference | depth | objects |\n|---|---|--:|--:|--:|")
+    count = 0
+    for file in options.files or every():
+        try:
+            model, data = load(mujoco, file, options.steps)
+        except (ValueError, RuntimeError):  # a part of a model
+            continue
+        if not model.ngeom:
+            continue
+        model.vis.quality.offsamples = 0
+        with renderers(mujoco, model, options) as (ours, theirs):
+            for camera in range(-1, min(model.ncam, 2)):
+                count += 1
+                found = compare(*(pictures(one, data, camera) for one in (ours, theirs)))
+                if any(one > most for one, most in zip(found, MUCH)):
+                    shares = f"{found[0]:.1f} | {found[1]:.2%} | {found[2]:.2%}"
+                    print(f"| {name_of(file)} | {'free' if camera < 0 else camera} | {shares} |", flush=True)
+    print(f"of {count} pictures")
+
+
+def every() -> Iterator[str]:
+    """All models of packages, and parts of models."""
+    for package, pattern in WHOLE.items():
+        spec = importlib.util.find_spec(package)
+        for folder in (spec.submodule_search_locations or []) if spec else []:
+            yield from sorted(map(str, Path(folder).glob(pattern)))
+
+
+@contextlib.contextmanager
+def renderers(mujoco: Any, model: Any, options: argparse.Namespace) -> Iterator[Tuple[Any, Any]]:
+    """Ours and MuJoCo's."""
+    from .renderer import Renderer
+
+    model.vis.global_.offwidth = max(model.vis.global_.offwidth, options.size)
+    model.vis.global_.offheight = max(model.vis.global_.offheight, options.size)
+    with Renderer(model, options.size, options.size, threads=options.cores) as ours:
+        theirs = mujoco.Renderer(model, options.size, options.size)
+        try:
+            yield ours, theirs
+        finally:
+            with contextlib.suppress(Exception):  # MuJoCo before 3.0 has no close
+                theirs.close()
 
 
 def name_of(file: str) -> str:
@@ -117,22 +173,13 @@ def load(mujoco: Any, file: str, steps: int) -> Tuple[Any, Any]:
 
 def measure(mujoco: Any, file: str, options: argparse.Namespace) -> Outcome:
     """Draws a model in turns."""
-    from .renderer import Renderer
-
     model, data = load(mujoco, file, options.steps)
-    model.vis.global_.offwidth = max(model.vis.global_.offwidth, options.size)
-    model.vis.global_.offheight = max(model.vis.global_.offheight, options.size)
     camera = options.camera
-    with Renderer(model, options.size, options.size, threads=options.cores) as ours:
-        theirs = mujoco.Renderer(model, options.size, options.size)
-        try:
-            clock = time.process_time if options.cores == 1 and options.gl == "osmesa" else time.perf_counter
-            draws = [drawing(one, data, camera, options.depth) for one in (ours, theirs)]
-            times = in_turns(draws, options.rounds, clock)
-            differences = compare(*(pictures(one, data, camera) for one in (ours, theirs)))
-        finally:
-            with contextlib.suppress(Exception):  # MuJoCo before 3.0 has no close
-                theirs.close()
+    with renderers(mujoco, model, options) as (ours, theirs):
+        clock = time.process_time if options.cores == 1 and options.gl == "osmesa" else time.perf_counter
+        draws = [drawing(one, data, camera, options.depth) for one in (ours, theirs)]
+        times = in_turns(draws, options.rounds, clock)
+        differences = compare(*(pictures(one, data, camera) for one in (ours, theirs)))
     triangles = int(model.mesh_facenum[model.geom_dataid[model.geom_type == int(mujoco.mjtGeom.mjGEOM_MESH)]].sum())
     return Outcome(name_of(file), triangles, times[0], times[1], *differences)
 
