@@ -223,6 +223,8 @@ function mimo_options()
 %     focal_y               Likewise along y.
 %     center_x              With focal lengths: the principal point, pixels from the left edge.
 %     center_y              Likewise from the upper edge.
+%     ortho_height          m, > 0: an orthographic camera, which sees so much from the lower edge to the upper one;
+%                           fovy does not count then, and focal lengths are 0. 0 (default): a perspective.
 %
 %   Words of Place: Which point of an infant lies at its position.
 %     'scene'               The scene's own place for an infant.

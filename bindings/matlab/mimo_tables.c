@@ -680,6 +680,7 @@ const member mimo_stage_view_options[] = {
     {"focal_y", kNumbers, 1, offsetof(mimo_stage_view, focal_y), NULL},
     {"center_x", kNumbers, 1, offsetof(mimo_stage_view, center_x), NULL},
     {"center_y", kNumbers, 1, offsetof(mimo_stage_view, center_y), NULL},
+    {"ortho_height", kNumbers, 1, offsetof(mimo_stage_view, ortho_height), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 

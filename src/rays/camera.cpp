@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/functions.h"
 #include "base/numbers.h"
 #include "render/renderer.h"
 #include "render/stage.h"

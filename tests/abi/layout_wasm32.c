@@ -626,7 +626,7 @@ MEMBER(mimo_stage_poses, extra_colors, 104, 4);
 MEMBER(mimo_stage_poses, extra_materials, 108, 4);
 MEMBER(mimo_stage_poses, extra_objects, 112, 4);
 
-_Static_assert(sizeof(mimo_stage_view) == 128, "mimo_stage_view");
+_Static_assert(sizeof(mimo_stage_view) == 136, "mimo_stage_view");
 MEMBER(mimo_stage_view, struct_size, 0, 4);
 MEMBER(mimo_stage_view, pose, 4, 4);
 MEMBER(mimo_stage_view, width, 8, 4);
@@ -653,6 +653,7 @@ MEMBER(mimo_stage_view, depth_stride, 108, 4);
 MEMBER(mimo_stage_view, segmentation, 112, 4);
 MEMBER(mimo_stage_view, segmentation_count, 116, 4);
 MEMBER(mimo_stage_view, segmentation_stride, 120, 4);
+MEMBER(mimo_stage_view, ortho_height, 128, 8);
 
 _Static_assert(sizeof(mimo_recorder_config) == 64, "mimo_recorder_config");
 MEMBER(mimo_recorder_config, struct_size, 0, 4);
