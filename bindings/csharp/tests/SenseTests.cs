@@ -79,4 +79,61 @@ internal static partial class Tests
         }
         GC.Collect();
     }
+
+    /// <summary>Throws in the function that the test names; its field is 1.</summary>
+    private sealed class ThrowingSense : MimoSense
+    {
+        internal static string Throws = "";
+
+        internal ThrowingSense(SenseOpening opening)
+        {
+            Throw("open");
+            opening.Add(new SenseField());
+        }
+
+        private static void Throw(string function) { if (Throws == function) throw new InvalidOperationException("no nose"); }
+
+        public override void Reset(SenseMoment moment) { Throw("reset"); }
+
+        public override void Advance(SenseMoment moment) { Throw("advance"); }
+
+        public override void Write(SenseMoment moment)
+        {
+            Throw("write");
+            moment.Fields[0][0] = 1;
+        }
+    }
+
+    private static void EachFunctionOfASenseMayThrow()
+    {
+        using (var scene = MimoScene.Builtin("free"))
+        {
+            var infant = scene.DefaultAgent();
+            infant.Vision = 0;
+            scene.AddAgent(infant);
+            scene.AddSense("nose", opening => new ThrowingSense(opening));
+            Action<string, Action> fails = (function, call) =>
+            {
+                ThrowingSense.Throws = function;
+                var error = Refused(call);
+                ThrowingSense.Throws = "";
+                Check(error.Status == Status.Task && error.Message.Contains("the sense \"nose\"'s function " + function + " returned")
+                      && error.Message.EndsWith("no nose"), error.Message);
+            };
+            fails("open", () => new Env(scene).Dispose());
+            using (var env = new Env(scene))
+            {
+                var nose = new float[1];
+                fails("reset", () => env.Reset(1));
+                env.Reset(1);
+                fails("advance", () => env.Step(null));
+                env.Read(env.Layout.Find("nose"), nose);
+                Check(nose[0] == 0, "the field of a sense that failed is 0");
+                fails("write", () => env.Step(null));
+                env.Step(null);
+                env.Read(env.Layout.Find("nose"), nose);
+                Check(nose[0] == 1, "the world goes on");
+            }
+        }
+    }
 }
