@@ -102,6 +102,13 @@ def view(session: nox.Session) -> None:
 
 
 @nox.session
+def page(session: nox.Session) -> None:
+    """The page of build/web, in a headless browser."""
+    install(session, "view")
+    check(session, "web_page")
+
+
+@nox.session
 def ray(session: nox.Session) -> None:
     """Worlds and learning on clusters of local nodes, of which one is killed."""
     install_learner(session, "ray", "ray")

@@ -4,7 +4,7 @@ import argparse
 import signal
 import sys
 
-from . import build, cross, lint, packages, pins, python, site, wheels
+from . import build, cross, lint, packages, page, pins, python, site, wheels
 from . import tests as parts
 from .interface import freeze, interface
 from .shell import Failure
@@ -104,6 +104,7 @@ def add_products(commands):
     which.add_argument("--platform", metavar="SYSTEM", help=f"for another system: {', '.join(SYSTEMS)}, or all of them")
     which.add_argument("--mujoco", choices=["4"], help="the library for programs that use the Python package mujoco")
     commands.add("docs", lambda _: site.docs(), "the documentation as a site, build/docs/html/README.html")
+    commands.add("web", lambda _: page.web(), "the page with the infant, build/web, for any server of files")
     about = "takes the newest versions of the Python packages that ./dev installs into tools/pins, with their hashes"
     command = commands.add("pins", lambda o: pins.renew(o.keep), about)
     command.add_argument("--keep", action="store_true", help="only adds packages that are missing")

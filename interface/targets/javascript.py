@@ -55,6 +55,8 @@ export const structs = {{
 
 def kind_of(api, member) -> str:
     if member.array or "*" not in member.type:
+        if member.enum and api.enum(member.enum).kind == "flags":
+            return "flags"  # or-ed bits are negative in JavaScript where the highest one is set
         return "switch" if is_switch(member) else number(api, member.type) or "pointer"
     if member.type == "const char *":
         return "text"
@@ -117,6 +119,8 @@ def type_of(words, member) -> str | None:
         return "boolean"
     if kind == "text":
         return "string"
+    if kind == "flags":
+        return "number"
     if kind not in NUMBERS.values():
         return pascal(kind)
     return "ArrayLike<number>" if member.array else "number | bigint" if kind == "u64" else "number"

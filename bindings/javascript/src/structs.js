@@ -62,6 +62,8 @@ function writeMember(frame, at, name, [kind, offset, length], value) {
     data().setFloat64(place, number(name, value), true);
   } else if (kind === "i32") {
     data().setInt32(place, integer(name, value, -(2 ** 31), 2 ** 31 - 1), true);
+  } else if (kind === "flags") {
+    data().setUint32(place, integer(name, value) >>> 0, true);
   } else if (kind in structs) {
     data().setUint32(place, value === null ? 0 : frame.struct(kind, value), true);
   } else {
@@ -105,6 +107,7 @@ function readMember(at, [kind, offset, length]) {
   if (kind === "pointer") return undefined;
   if (kind === "text") return textAt(data().getUint32(place, true));
   if (kind === "switch") return data().getUint32(place, true) !== 0;
+  if (kind === "flags") return data().getUint32(place, true);
   if (kind in structs) {
     const pointer = data().getUint32(place, true);
     return pointer === 0 ? undefined : readStruct(kind, pointer);

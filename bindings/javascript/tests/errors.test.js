@@ -45,6 +45,15 @@ test("the library fills each struct with defaults, which it refuses for a struct
   within((frame) => filled.forEach(([name, { size }]) => assert.equal(data().getUint32(frame.empty(name), true), size, name)));
 });
 
+test("or-ed bits may have the highest one, which makes them negative in JavaScript", needed, () => {
+  const scene = new Scene("reach");
+  const growth = { age: 6, maturity: mimo.Mature.BODY | mimo.Mature.ALL };
+  assert.ok(growth.maturity < 0);
+  scene.addAgent({ growth });
+  new World(scene).close();
+  scene.close();
+});
+
 test("what is no module, and a module that is not there, are refused with a sentence", async () => {
   await assert.rejects(instantiate(new TextEncoder().encode("<html>")), { code: "FILE", message: /^mimo.wasm cannot be used here: / });
   const empty = Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0);

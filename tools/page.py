@@ -1,0 +1,66 @@
+"""The page with the infant: build/web, which any server of files serves, and the documentation beside it."""
+
+import shutil
+
+from . import site
+from .javascript import PACKAGE, install_compiler, take_module, test_javascript, test_packed
+from .need import need
+from .python import sessions, wheel
+from .shell import BUILD, ROOT, copy, fail, fresh, run
+
+SOURCES = ROOT / "web"
+PAGE = BUILD / "web"
+LINKS = (
+    ("README.html", "What libmimo is"),
+    ("docs/readers/index.html", "for each kind of reader"),
+    ("docs/python.html", "Python"),
+    ("bindings/javascript/README.html", "JavaScript"),
+    ("docs/learning.html", "learning"),
+)
+
+
+def documentation():
+    """Links to the documentation, which is copied beside the page if it was made; else how it is made."""
+    if not site.SITE.is_dir():
+        return "The documentation is in the folder docs of libmimo; ./dev docs makes a site of it."
+    shutil.copytree(site.SITE, PAGE / "docs")
+    found = [(file, text) for file, text in LINKS if (site.SITE / file).is_file()]
+    return "Read on: " + ", ".join(f'<a href="docs/{file}">{text}</a>' for file, text in found) + "."
+
+
+def bundle():
+    """All JavaScript of the page as one script; files that open from a disk cannot have modules."""
+    options = ("--bundle", "--minify", "--format=iife", "--target=es2022", "--legal-comments=eof")
+    quiet = ("--external:node:fs/promises", "--log-override:empty-import-meta=silent", "--log-level=warning")
+    run("npx", "esbuild", "src/main.js", *options, *quiet, f"--outfile={PAGE}/page.js", cwd=SOURCES)
+
+
+def make_page():
+    if not take_module():
+        fail("the page needs the module: ./dev build --web")
+    install_compiler(SOURCES)
+    fresh(PAGE)
+    bundle()
+    copy([SOURCES / "page.css", SOURCES / "policy/reach.json", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
+    shutil.copy(SOURCES / "node_modules/three/LICENSE", PAGE / "LICENSE.three")
+    text = (SOURCES / "index.html").read_text(encoding="utf-8")
+    (PAGE / "index.html").write_text(text.replace("<!-- links -->", documentation()), encoding="utf-8")
+
+
+def test_web():
+    """Tests the npm package in Node, also as it is packed, and the page in a headless browser.
+
+    Without the module only what needs none is tested.
+    """
+    test_javascript()
+    if take_module():
+        test_packed()
+        make_page()
+        need("view")
+        wheel()
+        sessions("page")
+
+
+def web():
+    make_page()
+    print(f"The page is in {PAGE}; serve it, for example by: python3 -m http.server --directory {PAGE}")

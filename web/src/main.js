@@ -1,0 +1,251 @@
+/** The page: a world, the scene in 3-D, what the infant senses, and what visitors may change. */
+import * as mimo from "../../bindings/javascript/src/index.js";
+import { Babble, Policy, rest } from "./behaviour.js";
+import { Pull } from "./pull.js";
+import { Senses } from "./senses.js";
+import { Stage } from "./stage.js";
+
+const PIXELS = 64; // of an eye, across
+const PATIENCE = 40; // ms of each picture for steps
+const page = Object.fromEntries([...document.querySelectorAll("[id]")].map((element) => [element.id, element]));
+
+/** Says on the page what went wrong, in a sentence. */
+function say(error) {
+  page.message.hidden = !error;
+  const text = typeof error === "string" ? error : (error?.message ?? "");
+  page.message.textContent = text && text[0].toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? "" : ".");
+}
+
+/** Does something that may be refused. */
+function trying(act) {
+  try {
+    say(null);
+    return act();
+  } catch (error) {
+    say(error);
+    return undefined;
+  }
+}
+
+class Page {
+  running = true;
+  due = 0;
+  episodes = 0;
+  reached = 0;
+  rate = 1;
+
+  constructor(policy, stage) {
+    this.stage = stage;
+    this.pull = stage && new Pull(stage);
+    this.senses = new Senses(page);
+    this.behaviours = { reach: policy, babble: new Babble(), rest };
+    this.#fill(page.scenes, mimo.scenes(), "reach");
+    this.#fill(page.tasks, ["the scene's", ...mimo.tasks()], "the scene's");
+    this.#fill(page.faces, mimo.faces(), "neutral");
+    page.scenes.onchange = () => {
+      page.tasks.value = "the scene's";
+      this.make();
+    };
+    page.tasks.onchange = () => this.make();
+    page.behaviour.onchange = () => this.#choose();
+    page.faces.onchange = () => this.#face();
+    page.age.oninput = () => this.#tellAge();
+    page.age.onchange = () => this.grow();
+    page.run.onclick = () => this.pause(this.running);
+    page.step.onclick = () => {
+      this.pause(true);
+      this.advance();
+    };
+    page.again.onclick = () => this.begin();
+    page.save.onclick = () => this.#save();
+    page.load.onchange = () => this.#load();
+    for (const button of [page.run, page.step, page.again]) button.disabled = false;
+    this.make();
+  }
+
+  #fill(list, names, chosen) {
+    list.replaceChildren(...names.map((name) => new Option(name, name, false, name === chosen)));
+  }
+
+  /** Makes the world that is chosen; a refused one leaves the old one. */
+  make() {
+    trying(() => {
+      const scene = new mimo.Scene(page.scenes.value);
+      let world;
+      try {
+        scene.addAgents({
+          vision: mimo.Vision.RGB,
+          ...{ visionWidth: PIXELS, visionHeight: PIXELS },
+          touch: mimo.Touch.FORCE,
+          hearing: mimo.Hearing.EARS,
+          // The eyes are as old as the infant. Its nerves are not, because the policy did not learn with their delays.
+          growth: { age: Number(page.age.value), maturity: mimo.Mature.BODY | mimo.Mature.EYES },
+        });
+        const task = page.tasks.value;
+        world = new mimo.World(scene, task === "the scene's" ? {} : { task });
+      } finally {
+        scene.close();
+      }
+      this.world?.close();
+      this.world = world;
+      this.action = new Float32Array(world.layout.actions.length);
+      const fits = this.behaviours.reach.fits(world);
+      page.behaviour.options[0].disabled = !fits;
+      page.behaviour.value = fits ? "reach" : page.behaviour.value === "reach" ? "babble" : page.behaviour.value;
+      this.shown = false;
+      this.begin(1);
+      this.renew(false);
+    });
+  }
+
+  /** Gives the infants the age of the slider. */
+  grow() {
+    trying(() => {
+      this.pull?.release();
+      this.world.reset({ age: { age: Number(page.age.value), maturity: mimo.Mature.BODY | mimo.Mature.EYES } });
+      this.renew(true);
+    });
+  }
+
+  /** Draws all that depends on the bodies anew. */
+  renew(keepView) {
+    this.stage?.show(this.world, keepView);
+    this.senses.show(this.world);
+    this.#tellAge();
+    this.#choose();
+    this.#face();
+    const { mass, height } = this.world.agent(0);
+    page.body.textContent = `${mass.toFixed(1)} kg, ${(100 * height).toFixed(0)} cm, ${this.world.layout.actions.length} motors, ${this.world.layout.fields.length} fields of senses`;
+    this.shown = true;
+  }
+
+  /** Starts an episode. */
+  begin(seed) {
+    trying(() => {
+      this.pull?.release();
+      this.world.reset({ seed });
+      this.action.fill(0);
+    });
+  }
+
+  #tellAge() {
+    const age = Number(page.age.value);
+    page.months.textContent = age === 0 ? "birth" : age === 1 ? "1 month" : `${age} months`;
+  }
+
+  #choose() {
+    this.behaviour = this.behaviours[page.behaviour.value];
+  }
+
+  #face() {
+    trying(() => {
+      this.world.setFace(page.faces.value);
+      this.stage?.renewFace();
+    });
+  }
+
+  pause(paused) {
+    this.running = !paused;
+    page.run.textContent = paused ? "Run" : "Pause";
+  }
+
+  advance() {
+    const { world } = this;
+    this.behaviour.act(world, this.action);
+    this.pull?.apply(world.layout.stepSeconds);
+    const { terminated, truncated, outcome } = world.step(this.action);
+    this.senses.hear();
+    this.stage?.move();
+    if (terminated.some(Boolean) || truncated.some(Boolean)) {
+      this.episodes++;
+      if (outcome[0] === mimo.Outcome.SUCCESS) this.reached++;
+      this.begin();
+    }
+  }
+
+  /** Steps as far as time has gone on, and draws. */
+  tick(now) {
+    if (!this.shown) return;
+    const seconds = Math.min((now - (this.last ?? now)) / 1000, 0.2);
+    this.last = now;
+    if (this.running) {
+      const length = this.world.layout.stepSeconds;
+      this.due += seconds * Number(page.speed.value);
+      const until = performance.now() + PATIENCE;
+      let done = 0;
+      while (this.due >= length && performance.now() < until) {
+        this.advance();
+        this.due -= length;
+        done += length;
+      }
+      this.due = Math.min(this.due, length);
+      if (seconds > 0) this.rate += (done / seconds - this.rate) * Math.min(1, seconds);
+    }
+    this.stage?.touch();
+    this.stage?.draw();
+    this.senses.draw(now);
+    const success = this.episodes > 0 ? `, ${this.reached} of ${this.episodes} episodes succeeded` : "";
+    page.clock.textContent = `${this.world.time().toFixed(2)} s${this.running ? `, ${this.rate.toFixed(1)}× real time` : ", paused"}${success}`;
+  }
+
+  #save() {
+    trying(() => {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(new Blob([this.world.saveState()]));
+      link.download = `mimo-${page.scenes.value}.state`;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  }
+
+  async #load() {
+    const [file] = page.load.files;
+    page.load.value = "";
+    if (!file) return;
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    trying(() => {
+      this.world.loadState(bytes);
+      this.world.observe();
+      this.stage?.move();
+    });
+  }
+}
+
+async function read(name) {
+  const answer = await fetch(name);
+  if (!answer.ok) throw new Error(`${name} is missing beside the page: the server answers ${answer.status}`);
+  return answer;
+}
+
+async function start() {
+  if (location.protocol === "file:") {
+    return say("A browser lets no page read the module from a file: serve the folder, for example with python3 -m http.server, and open http://localhost:8000");
+  }
+  try {
+    const [policy] = await Promise.all([read("reach.json").then((answer) => answer.json()), mimo.load("mimo.wasm")]);
+    let stage = null;
+    let lacks = null;
+    try {
+      stage = new Stage(page.scene);
+    } catch (error) {
+      lacks = `This browser has no WebGL, so the room is not drawn; everything else works (${error.message})`;
+    }
+    const shown = (globalThis.mimoPage = new Page(new Policy(policy), stage));
+    if (lacks) say(lacks);
+    const next = (now) => {
+      try {
+        shown.tick(now);
+      } catch (error) {
+        shown.pause(true);
+        say(error);
+      }
+      requestAnimationFrame(next);
+    };
+    requestAnimationFrame(next);
+  } catch (error) {
+    page.clock.textContent = "";
+    say(error);
+  }
+}
+
+start();
