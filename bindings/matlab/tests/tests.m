@@ -6,7 +6,7 @@ function tests()
                  @help_says_how_to_call, @messages_count_from_one, @own_robots_have_senses, ...
                  @scenes_are_built_step_by_step, @metal_feels_colder_than_wood, @each_infant_has_its_own_options, @infants_have_any_age, @scenes_refuse_wrong_options, @library_and_worlds_describe_themselves, @failures_name_each_world, ...
                  @single_worlds_of_a_batch_move, @points_and_appearances_are_read, @pictures_have_depth, @engines_get_meshes_and_poses, @send_and_receive_equal_a_step};
-  all_of_them = [all_of_them, layout_tests(), results_tests(), hearing_tests(), stage_tests(), recording_tests(), argument_tests()];
+  all_of_them = [all_of_them, layout_tests(), results_tests(), hearing_tests(), sense_tests(), stage_tests(), recording_tests(), argument_tests()];
   failed = 0;
   for i = 1:numel(all_of_them)
     try
