@@ -13,7 +13,7 @@ from targets._csharp_words import (
     pointed,
     raw_name,
 )
-from targets._stage_parts import PARTS, arrays, lengths, scalars
+from targets._stage_parts import PARTS, arrays, lengths, pointers, scalars
 
 PART = """
 public sealed class {name}
@@ -28,6 +28,37 @@ public sealed class {name}
     }}
 }}
 """
+
+
+CONFIG = """
+public sealed partial class StageConfig
+{{
+{properties}
+
+    private StageConfigStruct RawParts(PinnedParts parts)
+    {{
+        var filled = StageConfigStruct.New();
+{filled}        return filled;
+    }}
+}}
+"""
+
+
+def config(words):
+    """The parts of a stage's config."""
+    struct, properties, filled = words.api.struct("mimo_stage_config"), [], []
+    for member, kind in pointers(words.api):
+        name = pascal(member.name)
+        doc = documented(words.text(member.doc, struct, member))
+        properties += ["", *doc, f"public {pascal(kind)} {name} {{ get; set; }}"]
+        filled.append(f"if ({name} != null) filled.{member.name} = parts.Keep(new[] {{ {name}.Raw(parts) }});")
+    text = CONFIG.format(
+        properties="\n".join(indent(properties[1:])), filled="".join(line + "\n" for line in indent(filled, 8))
+    )
+    return [
+        *documented("What a stage is made of. Parts that are null are empty, or stay as they are (Stage.Update)."),
+        *lines_of(text)[1:],
+    ]
 
 
 def part(words, struct):
@@ -54,4 +85,4 @@ def part(words, struct):
 
 
 def parts(words):
-    return in_namespace([], [part(words, words.api.struct(name)) for name in PARTS])
+    return in_namespace([], [config(words), *(part(words, words.api.struct(name)) for name in PARTS)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from targets._stage_parts import PARTS, arrays
+from targets._stage_parts import PARTS, arrays, pointers
 
 NUMBERS = {"int32_t": "np.int32", "uint8_t": "np.uint8", "float": "np.float32", "double": "np.float64"}
 HEAD = '''from __future__ import annotations
@@ -37,8 +37,7 @@ def columns(struct):
 def parts(api):
     """The parts of a stage's config, by their names: "geoms" and "sites" are both shapes."""
     rows = ""
-    for member in api.struct("mimo_stage_config").members:
-        kind = member.type.removeprefix("const ").removesuffix(" *")
+    for member, kind in pointers(api):
         if kind in PARTS:
             pascal = "".join(word.capitalize() for word in kind.removeprefix("mimo_").split("_"))
             rows += f'    "{member.name}": (_abi.{pascal}, {table_name(kind)}),\n'

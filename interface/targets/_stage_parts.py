@@ -24,6 +24,14 @@ def arrays(struct):
         yield member, found[1], int(found[2] or 1)
 
 
+def pointers(api):
+    """The members of a stage's config that point to its parts and air, with the structs that these are."""
+    for member in api.struct("mimo_stage_config").members:
+        struct = member.type.removeprefix("const ").removesuffix(" *")
+        if struct.startswith("mimo_stage_"):
+            yield member, struct
+
+
 def lengths(struct):
     """Each length of a part, with the arrays that have it: the member's name, and [(array, width)]."""
     found = {}

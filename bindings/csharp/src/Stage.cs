@@ -3,29 +3,8 @@ using System.Collections.Generic;
 
 namespace Mimo
 {
-    /// <summary>What a stage is made of. Parts that are null are empty, or stay as they are (Stage.Update).</summary>
-    public sealed class StageConfig
+    public sealed partial class StageConfig
     {
-        /// <summary>Shapes.</summary>
-        public StageShapes Geoms { get; set; }
-        /// <summary>Further shapes, that poses move apart.</summary>
-        public StageShapes Sites { get; set; }
-        /// <summary>Meshes of shapes.</summary>
-        public StageMeshes Meshes { get; set; }
-        /// <summary>Height fields of shapes.</summary>
-        public StageFields Fields { get; set; }
-        /// <summary>Textures of materials, and the sky.</summary>
-        public StageTextures Textures { get; set; }
-        /// <summary>Materials.</summary>
-        public StageMaterials Materials { get; set; }
-        /// <summary>Surfaces whose vertices move.</summary>
-        public StageSurfaces Surfaces { get; set; }
-        /// <summary>Tendons.</summary>
-        public StageTendons Tendons { get; set; }
-        /// <summary>Lights.</summary>
-        public StageLights Lights { get; set; }
-        /// <summary>The rest.</summary>
-        public StageAir Air { get; set; }
         /// <summary>Threads that draw, 1 to 256; 0: 1.</summary>
         public int Threads { get; set; }
         /// <summary>Receives a warning for each thing that is not drawn, once.</summary>
@@ -33,18 +12,8 @@ namespace Mimo
 
         internal StageConfigStruct Raw(PinnedParts parts)
         {
-            var filled = StageConfigStruct.New();
+            var filled = RawParts(parts);
             filled.threads = Given.Count(Threads, "Threads");
-            if (Geoms != null) filled.geoms = parts.Keep(new[] { Geoms.Raw(parts) });
-            if (Sites != null) filled.sites = parts.Keep(new[] { Sites.Raw(parts) });
-            if (Meshes != null) filled.meshes = parts.Keep(new[] { Meshes.Raw(parts) });
-            if (Fields != null) filled.fields = parts.Keep(new[] { Fields.Raw(parts) });
-            if (Textures != null) filled.textures = parts.Keep(new[] { Textures.Raw(parts) });
-            if (Materials != null) filled.materials = parts.Keep(new[] { Materials.Raw(parts) });
-            if (Surfaces != null) filled.surfaces = parts.Keep(new[] { Surfaces.Raw(parts) });
-            if (Tendons != null) filled.tendons = parts.Keep(new[] { Tendons.Raw(parts) });
-            if (Lights != null) filled.lights = parts.Keep(new[] { Lights.Raw(parts) });
-            if (Air != null) filled.air = parts.Keep(new[] { Air.Raw(parts) });
             return filled;
         }
     }

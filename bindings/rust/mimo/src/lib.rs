@@ -99,7 +99,7 @@ pub use sense::{
     Sense, SenseField, SenseFields, SenseMoment, SenseNumber, SenseOpening, SenseParameter, SenseTable,
 };
 pub use senses::Senses;
-pub use stage::{Stage, StageParts, StagePicture, StageView};
+pub use stage::{Stage, StagePicture, StageView};
 pub use stage_parts::*;
 pub use state::LoadReport;
 pub use task::{Moment, Task, TaskField, Verdict};

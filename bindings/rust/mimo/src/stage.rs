@@ -1,67 +1,11 @@
 //! Pictures of what plain arrays describe, without a simulation.
-use crate::configs::StageAir;
 use crate::constants::{Render, Status};
 use crate::error::{check, Error, Result};
 use crate::log::{self, Log, LogRecord};
 use crate::stage_parts::*;
 use crate::structs::{defaults, sized};
 use crate::sys;
-use std::ptr::{null, null_mut, NonNull};
-
-/// What a stage is made of. Parts that are None are empty, or stay as they are ([`Stage::update`]).
-#[derive(Clone, Copy, Debug, Default)]
-pub struct StageParts<'a> {
-    /// Shapes.
-    pub geoms: Option<&'a StageShapes<'a>>,
-    /// Further shapes, that poses move apart.
-    pub sites: Option<&'a StageShapes<'a>>,
-    /// Meshes of shapes.
-    pub meshes: Option<&'a StageMeshes<'a>>,
-    /// Height fields of shapes.
-    pub fields: Option<&'a StageFields<'a>>,
-    /// Textures of materials, and the sky.
-    pub textures: Option<&'a StageTextures<'a>>,
-    /// Materials.
-    pub materials: Option<&'a StageMaterials<'a>>,
-    /// Surfaces whose vertices move.
-    pub surfaces: Option<&'a StageSurfaces<'a>>,
-    /// Tendons.
-    pub tendons: Option<&'a StageTendons<'a>>,
-    /// Lights.
-    pub lights: Option<&'a StageLights<'a>>,
-    /// The rest.
-    pub air: Option<StageAir>,
-}
-
-impl StageParts<'_> {
-    fn with_raw<R>(&self, use_it: impl FnOnce(&mut sys::mimo_stage_config) -> Result<R>) -> Result<R> {
-        let geoms = self.geoms.map(|part| part.raw()).transpose()?;
-        let sites = self.sites.map(|part| part.raw()).transpose()?;
-        let meshes = self.meshes.map(|part| part.raw()).transpose()?;
-        let fields = self.fields.map(|part| part.raw()).transpose()?;
-        let textures = self.textures.map(|part| part.raw()).transpose()?;
-        let materials = self.materials.map(|part| part.raw()).transpose()?;
-        let surfaces = self.surfaces.map(|part| part.raw()).transpose()?;
-        let tendons = self.tendons.map(|part| part.raw()).transpose()?;
-        let lights = self.lights.map(|part| part.raw()).transpose()?;
-        let mut raw: sys::mimo_stage_config = sized();
-        raw.geoms = of(&geoms);
-        raw.sites = of(&sites);
-        raw.meshes = of(&meshes);
-        raw.fields = of(&fields);
-        raw.textures = of(&textures);
-        raw.materials = of(&materials);
-        raw.surfaces = of(&surfaces);
-        raw.tendons = of(&tendons);
-        raw.lights = of(&lights);
-        raw.air = StageAir::pointer(&self.air);
-        use_it(&mut raw)
-    }
-}
-
-fn of<T>(part: &Option<T>) -> *const T {
-    part.as_ref().map_or(null(), |part| part)
-}
+use std::ptr::{null_mut, NonNull};
 
 /// From where a picture is taken, and how. What the members mean is in mimo/experimental/stage.h.
 #[derive(Clone, Copy, Debug)]
