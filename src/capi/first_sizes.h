@@ -48,7 +48,7 @@ MIMO_FIRST_SIZE(mimo_stage_lights, 88);
 MIMO_FIRST_SIZE(mimo_stage_air, 120);
 MIMO_FIRST_SIZE(mimo_stage_config, 104);
 MIMO_FIRST_SIZE(mimo_stage_poses, 224);
-MIMO_FIRST_SIZE(mimo_stage_view, 168);
+MIMO_FIRST_SIZE(mimo_stage_view, 176);
 MIMO_FIRST_SIZE(mimo_recorder_config, 64);
 MIMO_FIRST_SIZE(mimo_recording_info, 112);
 MIMO_FIRST_SIZE(mimo_replay_report, 48);

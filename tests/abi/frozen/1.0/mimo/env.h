@@ -161,8 +161,8 @@ typedef struct mimo_env_results {
  *         read (names, values, sizes), and values that survive resets can be written; every function that simulates,
  *         senses, draws, writes other values, saves or clones returns MIMO_E_SIMULATION until the world is reset or
  *         loads a state.
- *         MIMO_E_TASK if a custom task fails, whatever it returned: the step has happened, block is written and results
- *         are not. MIMO_E_BUSY from within a task of this world: nothing happens.
+ *         MIMO_E_TASK if a custom task or sense fails, whatever it returned: the step has happened, block is written,
+ *         and results are where no task failed. MIMO_E_BUSY from within a task of this world: nothing happens.
  */
 MIMO_API mimo_status mimo_env_step(mimo_env *env, const float *action, size_t action_count, void *block,
                                    size_t block_bytes, const mimo_env_results *results) MIMO_NOEXCEPT;

@@ -10,8 +10,8 @@
 
 #include "mimo_export.h"
 
-#if UINTPTR_MAX != UINT64_MAX
-#error "This interface is for 64-bit platforms: the structs of others would have other sizes."
+#if UINTPTR_MAX != UINT64_MAX && !defined(__wasm32__)
+#error "This interface is for 64-bit platforms and WebAssembly: the structs of others would have other sizes."
 #endif
 
 #ifdef __cplusplus
@@ -52,7 +52,7 @@ typedef int32_t mimo_quantity;
 #define MIMO_E_FORKED -11          /**< The handle was made in the parent process, before fork(). */
 #define MIMO_E_INTERNAL -12        /**< A defect in libmimo; please report the message. */
 #define MIMO_E_FILE -13            /**< A file cannot be written; a file or state is damaged, or is none. */
-#define MIMO_E_TASK -14            /**< A custom task failed or returned invalid values; see mimo_env_step. */
+#define MIMO_E_TASK -14            /**< A custom task or sense failed or returned invalid values; see mimo_env_step. */
 #define MIMO_E_BUSY -15            /**< Not now: another thread uses the handle, or another call has to come first. */
 #define MIMO_E_MISMATCH -16        /**< A state or recording is of another model, age, task or kind of agents. */
 #define MIMO_E_END -17             /**< A recording has no further step. */
@@ -105,8 +105,8 @@ MIMO_API mimo_status mimo_last_error_of(const void *handle, char *text, size_t c
                                         size_t *length) MIMO_NOEXCEPT;
 
 /**
- * Reports an error in a function of a custom task: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this scene");`. The
- * call that runs the task fails with MIMO_E_TASK and quotes the status and the message.
+ * Reports an error in a function of a custom task or sense: `return mimo_fail(MIMO_E_NOT_FOUND, "no ball in this
+ * scene");`. The call that runs the function fails with MIMO_E_TASK and quotes the status and the message.
  * @param status  a MIMO_E_ constant.
  * @param message UTF-8; copied. Control characters are quoted as in C ("\n"), as in all messages.
  * @return status, after mimo_last_error() was set to the message.

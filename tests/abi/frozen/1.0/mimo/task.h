@@ -32,7 +32,7 @@ MIMO_API mimo_status mimo_parameter_count(size_t *count) MIMO_NOEXCEPT;
 MIMO_API mimo_status mimo_parameter_describe(size_t index, mimo_parameter *parameter) MIMO_NOEXCEPT;
 
 /**
- * Sets a parameter for environments made from now on.
+ * Sets a parameter of a task, or of a sense of your own, for environments made from now on.
  * Errors: MIMO_E_NOT_FOUND; MIMO_E_INVALID_ARGUMENT out of range.
  */
 MIMO_API mimo_status mimo_scene_set_parameter(mimo_scene *scene, const char *name, double value) MIMO_NOEXCEPT;

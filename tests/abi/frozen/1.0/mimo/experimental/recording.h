@@ -48,11 +48,12 @@ typedef struct mimo_recorder_config {
 MIMO_API mimo_status mimo_recorder_config_init(mimo_recorder_config *config, size_t size) MIMO_NOEXCEPT;
 
 /**
- * Records every mimo_env_step of a world from now on: actions, rewards, joints and the chosen fields; of a world of a
- * batch also those of mimo_batch_step. Whatever else changes the world between two steps (resets, also to another age;
- * values that are set, loaded states, known movements, bare physics, sounds, random numbers) is counted, and where
- * something was, a state is kept from which a replay goes on there. Kept fields are sensed also where a step skips
- * them. A step that fails is not recorded. A clone is not recorded.
+ * Records every mimo_env_step and mimo_env_follow of a world from now on: actions, rewards, joints and the chosen
+ * fields; of a world of a batch also those of mimo_batch_step. Whatever else changes the world between two steps
+ * (resets, also to another age; values that are set, loaded states, bare physics, sounds, random numbers) is counted,
+ * and where something was, a state is kept from which a replay goes on there. Steps of mimo_env_follow have no actions,
+ * and only a replay by joints plays them. Kept fields are sensed also where a step skips them. A step that fails is not
+ * recorded. A clone is not recorded.
  *
  * A file that cannot be written (a full disk) never makes a step fail: the recording ends there, one warning goes to
  * the world's log, and mimo_recorder_flush and mimo_recorder_close answer with what happened.

@@ -326,6 +326,8 @@ typedef struct mimo_stage_view {
                                    transparent counts as opaque. */
   size_t segmentation_count;  /**< Length of segmentation. */
   size_t segmentation_stride; /**< Numbers. */
+  double ortho_height;        /**< m, > 0: an orthographic camera, which sees so much from the lower edge to the upper
+                                   one; fovy does not count then, and focal lengths are 0. 0 (default): a perspective. */
 } mimo_stage_view;
 
 /**
