@@ -1,7 +1,7 @@
 """From a video's key points to joint angles: a kick is seen by a camera and fitted to an infant of six months.
 
-The camera's points come from a simulation here, with noise as pose estimation has it; yours come from a table
-(mimo.motion.read_points). Needs `pip install 'mimo[motion]'`.
+The camera's points come from a simulation here, with noise as pose estimation has it; yours come from a file:
+mimo.motion.fit("film", rate=30, camera=CAMERA).
 """
 
 import numpy as np
@@ -36,10 +36,9 @@ def filmed(frames):
 
 
 points = filmed(frames=15)
-with infant() as world:
-    found = mimo.motion.fit(world, points, CAMERA)
+found = mimo.motion.fit(points, CAMERA, age=6, cutoff=6)
 print(f"points are {np.median(found.errors):.1f} pixels off, at most {found.errors.max():.1f}")
 knee = found.positions[:, found.columns.index("robot:right_knee")]
 print(f"the right knee bent by {np.degrees(knee.max() - knee.min()):.0f} degrees, of 34")
-found.smoothed(cutoff=6).write("motion.csv")
+found.write("motion.csv")
 print("what it senses: mimo replay --motion motion.csv --scene free --age 6 --senses all")

@@ -141,10 +141,13 @@ def replay(path, *options, code=0):
     return json.loads(done.stdout) if code == 0 else done.stderr
 
 
-def angles_of(path, *options):
+AGE = ("--age", "18")  # of the infant that moves
+
+
+def angles_of(path, *options, age=AGE):
     """The elbows and knees that the program finds, and its report."""
     joints = path.with_suffix(".joints.csv")
-    report = replay(path, "--joints", str(joints), *options)
+    report = replay(path, "--joints", str(joints), *age, *options)
     with joints.open() as file:
         rows = list(csv.DictReader(file))
     return np.array([[float(row[name]) for name in TOLD] for row in rows]), report
@@ -189,7 +192,7 @@ def test_other_units_axes_and_sizes(known, tmp_path):
     angles, points = known
     turned = 1.2 * points[:, :, [1, 2, 0]]
     write_trc(tmp_path / "run.trc", KEPT, turned, unit=1.0, word="m")
-    found, report = angles_of(tmp_path / "run.trc", "--up", "y", "--age", "18")
+    found, report = angles_of(tmp_path / "run.trc", "--up", "y")
     assert np.abs(found - angles).max() < 0.5 * DEGREE
     assert any("1.2 times as long" in note for note in report["notes"])
 
@@ -201,7 +204,7 @@ def test_noise_and_gaps_within_eight_degrees(known, tmp_path):
     noisy = points + 0.005 * random.standard_normal(points.shape)
     noisy[random.random(points.shape[:2]) < 0.1] = np.nan
     write_trc(tmp_path / "run.trc", KEPT, noisy)
-    found, report = angles_of(tmp_path / "run.trc")
+    found, report = angles_of(tmp_path / "run.trc", age=())  # which is fitted as well
     errors = np.sqrt(np.mean((found - angles) ** 2, axis=0))
     assert errors.max() < 8 * DEGREE
     gaps = [note for note in report["notes"] if "was not seen" in note]
@@ -279,7 +282,7 @@ def test_broken_trc(known, tmp_path, kind):
 
 def test_a_row_more_is_said(known, tmp_path):
     write_trc(tmp_path / "run.trc", KEPT, known[1], frames=24)
-    assert any("it has 25 rows and says 24" in note for note in replay(tmp_path / "run.trc")["notes"])
+    assert any("it has 25 rows and says 24" in note for note in replay(tmp_path / "run.trc", *AGE)["notes"])
 
 
 QUALISYS = {
@@ -357,3 +360,18 @@ def test_gaps_of_a_whole_point(known, tmp_path):
     assert np.abs(found - angles).max() < 0.5 * DEGREE
     assert "nose" not in report["pose_errors"]
     assert any("nose was not seen in 25 of 25 rows" in note for note in report["notes"])
+
+
+@pytest.mark.parametrize("age", [3, 9, 15])
+def test_the_age_that_nobody_gives_is_fitted(tmp_path, age):
+    """With noise of 2 mm the age comes back within a month, and the scale is then that of the file."""
+    with infant(age) as world:
+        _, points = movement(world, rows=25)
+    points = points[:, [NAMES.index(name) for name in KEPT]]
+    write_trc(tmp_path / "run.trc", KEPT, points + 0.002 * np.random.default_rng(2).standard_normal(points.shape))
+    report = replay(tmp_path / "run.trc")
+    assert report["fitted_age"] == pytest.approx(age, abs=1)
+    factor = next(note for note in report["notes"] if "times as long" in note)
+    assert float(factor.split("limbs are ")[1].split()[0]) == pytest.approx(1, abs=0.02)
+    assert report["points_rms"] < 0.005
+    assert replay(tmp_path / "run.trc", "--age", str(age))["fitted_age"] is None

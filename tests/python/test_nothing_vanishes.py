@@ -398,7 +398,6 @@ EXTRAS = {
     "mimo.ray": ("ray", "mimo[ray]"),
     "mimo.rerun": ("rerun", "mimo[rerun]"),
     "mimo.plot": ("matplotlib", "mimo[plot]"),
-    "mimo.motion": ("scipy", "mimo[motion]"),
     "mimo.view.open()": ("viser", "mimo[view]"),
     "mimo.video.film(mimo.view.Live('reach'), 'a.mp4')": ("av", "mimo[video]"),
     "mimo.babybench.load('selftouch')": ("yaml", "mimo[babybench]"),
