@@ -36,13 +36,18 @@ def run(path):
                 world.step(np.zeros(len(world.action_names)))
 
 
+BEGINS = {"wrist": "hand", "elbow": "lower_arm", "shoulder": "upper_arm", "knee": "lower_leg"}  # bodies at the joints
+
+
 def points(path):
-    """Where both wrists are, for a tenth of a second."""
+    """Where wrists, elbows, shoulders and knees are, for a tenth of a second."""
+    sides = ("left", "right")
     with mimo.World("free", vision=False, touch=False, age=6) as world:
         world.reset(seed=1)
-        rows = ["time," + ",".join(f"{side}_wrist:{axis}" for side in ("left", "right") for axis in "xyz")]
+        names = [f"{side}_{joint}:{axis}" for side in sides for joint in BEGINS for axis in "xyz"]
+        rows = [",".join(["time", *names])]
         for step in range(4):
-            places = world.bodies("left_hand", "right_hand").position.ravel()
+            places = world.bodies(*(f"{side}_{body}" for side in sides for body in BEGINS.values())).position.ravel()
             rows.append(",".join(map(str, [0.03 * step, *places])))
             world.step()
     path.write_text("\n".join(rows) + "\n")
