@@ -22,11 +22,11 @@ install(DIRECTORY docs/guide docs/adr docs/tutorials DESTINATION ${CMAKE_INSTALL
         FILES_MATCHING PATTERN *.md)
 install(DIRECTORY docs/data DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.csv)
 install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)
-foreach(language c cpp csharp lua matlab python rust senses)
+foreach(language c cpp csharp javascript lua matlab python rust senses)
   install(DIRECTORY examples/${language} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
           COMPONENT documents PATTERN __pycache__ EXCLUDE)
 endforeach()
-foreach(language csharp matlab rust)
+foreach(language csharp javascript matlab rust)
   install(FILES bindings/${language}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/bindings/${language}
           COMPONENT documents)
 endforeach()

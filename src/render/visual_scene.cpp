@@ -24,7 +24,7 @@ int most_shown(const mjModel& model) {
 mjvGLCamera gl_camera(const mjModel& model, const View& view) {
   const auto near = static_cast<float>(model.vis.map.znear * model.stat.extent);
   const auto half = static_cast<float>(view.fovy * static_cast<float>(kPi / 360));
-  const float top = view.parallel ? static_cast<float>(view.fovy / 2) : near * static_cast<float>(fixed::tan(half));
+  const auto top = static_cast<float>(view.parallel ? view.fovy / 2 : near * fixed::tan(half));
   mjvGLCamera camera{};
   for (int i = 0; i < 3; ++i) {
     camera.pos[i] = static_cast<float>(view.position[i]);
