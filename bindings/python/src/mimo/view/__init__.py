@@ -38,9 +38,10 @@ def open(
 ) -> Viewer:
     """Opens a page at viewer.url; the default is a free port.
 
-    A file that ends with .h5 or .hdf5 is a recording; its option is `eyes`, their pixels. A scene gets a new world,
-    which runs in a thread until viewer.close(); options are those of mimo.World, and `seed`. A world or an environment
-    takes no options: step it, and call viewer.show().
+    A file that ends with .h5 or .hdf5 is a recording; its options are `eyes`, their pixels, and `own_senses`. A scene
+    gets a new world, which runs in a thread until viewer.close(); options are those of mimo.World, `seed`, and
+    `own_senses`: shared libraries with senses of your own, whose code runs. A world or an environment takes no options:
+    step it, and call viewer.show().
     """
     if isinstance(what, (str, os.PathLike)) and os.fspath(what).endswith(RECORDINGS):
         viewer = Viewer(Recorded(what, **options), host, port)
