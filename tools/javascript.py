@@ -7,7 +7,8 @@ from .need import need
 from .shell import BUILD, ROOT, copy, fail, fresh, output, run, version
 
 PACKAGE = ROOT / "bindings/javascript"
-MODULE = ROOT / "build-web/lib/mimo.wasm"  # ./dev build --web
+MODULE = ROOT / "build-web/lib/mimo.wasm"  # ./dev build --web, and the licences of all that is inside
+LICENCES = ROOT / "build-web/licences"
 
 
 def install_compiler(folder=PACKAGE):
@@ -18,9 +19,11 @@ def install_compiler(folder=PACKAGE):
 
 
 def take_module():
-    """Puts the module beside the package's sources, where there is one; returns whether there is."""
+    """Puts the module and its licences beside the package's sources, where there is one; returns whether there is."""
     if MODULE.is_file():
         shutil.copy2(MODULE, PACKAGE / "mimo.wasm")
+    if LICENCES.is_dir():
+        copy(LICENCES.iterdir(), fresh(PACKAGE / "licences"))
     return (PACKAGE / "mimo.wasm").is_file()
 
 

@@ -11,7 +11,7 @@ import re
 import shutil
 from pathlib import Path
 
-from . import bill, pack, systems
+from . import bill, javascript, pack, systems
 from .build import PROGRAM, build
 from .csharp import MADE, build_csharp, dotnet
 from .need import need
@@ -85,6 +85,14 @@ def package_csharp():
     run(PYTHON, folder / "make_unity.py", version(), PACKAGE / f"org.libmimo.mimo-{version()}.tgz", *named)
 
 
+def package_javascript():
+    """Makes the npm package; its module is the same for all systems."""
+    if javascript.MODULE.is_file():
+        copy([javascript.pack_javascript()], PACKAGE)
+    else:
+        print("There is no npm package: it needs the module of ./dev build --web")
+
+
 def native_crate(system, crates):
     """Makes the crate of a system's library, on which mimo-sys depends for its target; returns its name."""
     name, template = f"mimo-native-{system.nuget}", CRATES / "native"
@@ -145,6 +153,7 @@ def make_packages(for_all=False):
         copy(WHEELS.glob("mimo*.whl"), PACKAGE)
         package_csharp()
         package_rust()
+        package_javascript()
     bill.write(version(), PACKAGE, BUILD / "cross/sources.txt", PACKAGE / f"libmimo-{version()}.spdx.json")
     write_notes()
     sums = [f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in sorted(PACKAGE.iterdir())]

@@ -43,6 +43,8 @@ def make_page():
     bundle()
     copy([SOURCES / "page.css", SOURCES / "policy/reach.json", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
     shutil.copy(SOURCES / "node_modules/three/LICENSE", PAGE / "LICENSE.three")
+    if (PACKAGE / "licences").is_dir():
+        shutil.copytree(PACKAGE / "licences", PAGE / "licences")
     text = (SOURCES / "index.html").read_text(encoding="utf-8")
     (PAGE / "index.html").write_text(text.replace("<!-- links -->", documentation()), encoding="utf-8")
 

@@ -4,6 +4,7 @@ import difflib
 
 from .build import build
 from .csharp import build_csharp
+from .javascript import take_module
 from .need import need
 from .octave import OCTAVE, build_mex
 from .pins import environment
@@ -54,3 +55,12 @@ def test_same():
     # MATLAB and Octave have no tasks of one's own.
     shared = "\n".join(line for line in expected.splitlines() if not line.startswith("own "))
     check_same("Octave gives other bytes than C", shared, hashed("octave", *in_octave))
+    if take_module():
+        test_same_in_javascript(expected)
+
+
+def test_same_in_javascript(expected):
+    """Compares the scene reach: where things touch, the module, whose MuJoCo is another build, rounds otherwise."""
+    got = hashed("javascript", "node", "tests/same/same.mjs", MADE / "javascript")
+    lines = [[line for line in text.splitlines() if line.startswith("reach ")] for text in (expected, got)]
+    check_same("JavaScript gives other bytes than C", *("\n".join(line) for line in lines))

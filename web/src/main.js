@@ -218,6 +218,7 @@ async function read(name) {
 }
 
 async function start() {
+  page.angles.open = innerWidth > 760; // long, on a phone
   if (location.protocol === "file:") {
     return say("A browser lets no page read the module from a file: serve the folder, for example with python3 -m http.server, and open http://localhost:8000");
   }

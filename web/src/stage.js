@@ -7,6 +7,7 @@ const FLOOR = 5; // half the size of endless planes, m
 const SEGMENTS = 16; // of a circle
 const FACES = 6;
 const MARGIN = 8; // share of a cube's face that is repeated around it, so that small mipmaps show no seams
+const ABOVE = 0.004; // m above the skin, so that the lights are not half inside
 const [WEAK, STRONG] = [0.02, 10]; // N, of the weakest and the strongest light
 
 export class Stage {
@@ -106,14 +107,16 @@ export class Stage {
     const { layout } = this.world;
     for (const { name } of layout.fields.filter(({ name }) => name.endsWith("touch/force"))) {
       const owners = layout.receptors(name, Receptor.BODY);
-      const at = convertPoints(layout.receptors(name, Receptor.POSITION), Axes.GLTF);
+      const normals = layout.receptors(name, Receptor.FRAME); // three directions each, the normal first
+      const outside = layout.receptors(name, Receptor.POSITION).map((one, i) => one + ABOVE * normals[9 * Math.floor(i / 3) + (i % 3)]);
+      const at = convertPoints(outside, Axes.GLTF);
       for (const body of new Set(owners)) {
         const members = Array.from(owners.keys()).filter((one) => owners[one] === body);
         const geometry = new THREE.BufferGeometry();
         const places = Float32Array.from(members.flatMap((one) => [...at.subarray(3 * one, 3 * one + 3)]));
         geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
         geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(4 * members.length), 4));
-        const material = new THREE.PointsMaterial({ size: 0.012, vertexColors: true, transparent: true, depthWrite: false });
+        const material = new THREE.PointsMaterial({ size: 0.016, vertexColors: true, transparent: true, depthWrite: false });
         const points = new THREE.Points(geometry, material);
         points.renderOrder = 1;
         this.bodies[body].add(points);
