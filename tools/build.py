@@ -23,6 +23,7 @@ RATIOS = (
     "bench_worlds",
     "bench_extras",
     "bench_making",
+    "bench_models",
     "bench_own_sense",
 )
 DEMO = """The pictures are in {}. Open first:

@@ -59,6 +59,7 @@ HEARING = ["bench_extras", "hearing", "1500"]
 RECORDING = ["bench_extras", "recording", "1500"]
 RECEPTORS = ["bench_extras", "receptors", "1500"]
 OWN_SENSE = ["bench_own_sense"]
+RING = ["bench_models", "ring"]
 
 
 def step_vs_raw(result):
@@ -100,6 +101,10 @@ def muscles(body, model):
     return in_text(rf"{body} +{model} +muscles +([\d.]+) +physics step +([\d.]+)")
 
 
+def ring(metres):
+    return in_text(rf"ring at {metres:.2f} m .*times ([\d.]+)")
+
+
 def renderers(pixels):
     return in_text(rf"\n +{pixels} +([\d.]+) +[\d.]+ +([\d.]+)")
 
@@ -132,6 +137,9 @@ RATIOS = [
     ("muscles of five fingers, over a physics step", MUSCLE, muscles("fingers", "MIMo")),
     ("ray renderer at 64 pixels, over OSMesa", RENDER, renderers(64)),  # depends on the processor
     ("ray renderer at 256 pixels, over OSMesa", RENDER, renderers(256)),  # depends on the processor
+    ("20,736 triangles at 0.35 m, over the picture without", RING, ring(0.35)),  # depends on the processor
+    ("20,736 triangles at 0.50 m, over the picture without", RING, ring(0.50)),  # depends on the processor
+    ("20,736 triangles at 0.80 m, over the picture without", RING, ring(0.80)),  # depends on the processor
     ("batch on a thread, over its worlds one by one", WORLDS, in_text(r"a batch takes ([\d.]+)")),
     ("making a world, in physics steps", MAKING, in_text(r"making takes [\d.]+ ms \(([\d.]+) steps\)")),
     ("a clone, in physics steps", MAKING, in_text(r"a clone [\d.]+ ms \(([\d.]+) steps\)")),

@@ -152,6 +152,21 @@ def test_a_camera_with_intrinsics():
     assert sight["x"] != pytest.approx(64, abs=3)
 
 
+@pytest.mark.skipif(VERSION < (3, 1), reason="this MuJoCo has no orthographic cameras")
+def test_an_orthographic_camera():
+    """Of 2 m, 100 pixels show the box's .4 m as 20, as far as the camera may be; its top is flat."""
+    said = 'projection="orthographic"' if hasattr(mujoco.MjModel, "cam_projection") else 'orthographic="true"'
+    for height in (3, 9):
+        model, data = loaded(ROOM.replace('pos="0 0 3" fovy="60"', f'pos="0 0 {height}" fovy="2" {said}'))
+        option = mujoco.MjvOption()
+        option.sitegroup[2] = 0
+        objects = picture(model, data, "above", option, "segmentation", (100, 100))
+        assert (objects[..., 0] == 1).sum() == 20 * 20
+        depth = picture(model, data, "above", option, "depth", (100, 100))
+        np.testing.assert_allclose(depth[41:59, 41:59], height - 0.5, rtol=1e-5)
+        np.testing.assert_allclose(depth[:30], height, rtol=1e-5)
+
+
 def test_groups_hide_and_show(room):
     model, data = room
     option = mujoco.MjvOption()

@@ -40,6 +40,20 @@ def test_focal_lengths_and_a_principal_point(stage):
     assert columns.mean() + 0.5 == pytest.approx(20.5, abs=0.4)  # its outline is a little longer outwards
 
 
+def test_an_orthographic_camera(stage):
+    """33 pixels of 3.3 m: a ball of .5 m fills a circle of a radius of 5 pixels, wherever the camera is."""
+    for height in (3, 30):
+        picture = stage.draw(PLACE, above(height, ortho_height=3.3, rgb=False, depth=True, segmentation=True))
+        seen = picture.segmentation[..., 0] == 0
+        x, y = np.meshgrid(np.arange(33) - 16, np.arange(33) - 16)
+        squares = (x * x + y * y) * 0.01
+        assert (seen == (squares < 0.25))[np.abs(squares - 0.25) > 1e-3].all()  # but for the outline itself
+        expected = height - np.sqrt(np.maximum(0.25 - squares, 0))
+        np.testing.assert_allclose(picture.depth[squares < 0.2], expected[squares < 0.2], atol=1e-4)
+    with pytest.raises(mimo.ArgumentError, match="ortho_height is -1, expected metres above 0"):
+        stage.draw(PLACE, above(ortho_height=-1))
+
+
 def test_many_poses_and_views(stage):
     poses = [{**PLACE, "geom_positions": [[0, 0, z]]} for z in (0, 1)]
     views = [above(rgb=False, depth=True, pose=i) for i in (1, 0)]

@@ -88,6 +88,7 @@ def _options(arguments: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("files", nargs="*", help="MJCF files; default: models of the packages that are installed")
     parser.add_argument("--camera", default=-1, help="a camera's name; default: the free one")
     parser.add_argument("--compare", action="store_true", help="list the models' pictures that differ much")
+    parser.add_argument("--slices", type=int, help="of which MuJoCo makes round things; default: as the model says")
     parser.add_argument("--size", type=int, default=256, help="width and height, pixels (%(default)s)")
     parser.add_argument("--gl", default="osmesa", choices=["osmesa", "egl", "glfw"], help="MUJOCO_GL (%(default)s)")
     parser.add_argument("--depth", action="store_true", help="measure a colour and a depth picture, not a colour one")
@@ -142,6 +143,8 @@ def renderers(mujoco: Any, model: Any, options: argparse.Namespace) -> Iterator[
 
     model.vis.global_.offwidth = max(model.vis.global_.offwidth, options.size)
     model.vis.global_.offheight = max(model.vis.global_.offheight, options.size)
+    if options.slices:
+        model.vis.quality.numslices = model.vis.quality.numstacks = options.slices
     with Renderer(model, options.size, options.size, threads=options.cores) as ours:
         theirs = mujoco.Renderer(model, options.size, options.size)
         try:
