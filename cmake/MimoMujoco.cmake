@@ -9,6 +9,9 @@ set(qhull_sources geom2 geom global io libqhull mem merge poly2 poly qset random
 list(TRANSFORM qhull_sources APPEND _r.c)
 
 mimo_foreign_library(mujoco::ccd libccd/src ccd.c mpr.c polytope.c support.c vec3.c)
+set(CCD_DOUBLE ON)
+configure_file(${MIMO_DEPENDENCIES}/libccd/src/ccd/config.h.cmake.in ${PROJECT_BINARY_DIR}/mujoco/ccd/config.h)
+target_include_directories(mujoco_ccd SYSTEM PUBLIC ${PROJECT_BINARY_DIR}/mujoco)
 target_compile_definitions(mujoco_ccd PUBLIC CCD_STATIC_DEFINE)
 mimo_foreign_library(mujoco::lodepng lodepng lodepng.cpp)
 mimo_foreign_library(mujoco::qhullstatic_r qhull/src/libqhull_r ${qhull_sources})
@@ -23,6 +26,11 @@ target_include_directories(mujoco_sources SYSTEM PUBLIC ${mujoco_ROOT}/include P
 target_link_libraries(mujoco_sources PRIVATE mujoco::ccd mujoco::lodepng mujoco::qhullstatic_r
                       mujoco::tinyobjloader mujoco::tinyxml2)
 
+# src/engine/functions_web.cpp has what is called instead.
+set(mujoco_wrapped exp log pow sin cos tan asin acos atan2)
+list(TRANSFORM mujoco_wrapped PREPEND -Wl,--wrap=)
+
 add_library(mujoco::mujoco INTERFACE IMPORTED)
 set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${mujoco_ROOT}/include
-                                                INTERFACE_LINK_LIBRARIES mujoco_sources)
+                                                INTERFACE_LINK_LIBRARIES mujoco_sources
+                                                INTERFACE_LINK_OPTIONS "${mujoco_wrapped}")

@@ -30,6 +30,9 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
 endif()
 
 set(mimo_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(EMSCRIPTEN)  # numbers of 64 bits that count something here; what files say of sizes is compared before it is cut
+  list(APPEND mimo_warnings -Wno-shorten-64-to-32)
+endif()
 if(MIMO_WERROR)
   list(APPEND mimo_warnings -Werror)
 endif()

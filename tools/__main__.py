@@ -4,7 +4,7 @@ import argparse
 import signal
 import sys
 
-from . import build, cross, lint, packages, page, pins, python, site, wheels
+from . import build, cross, lint, packages, page, pins, python, site, web, wheels
 from . import tests as parts
 from .interface import freeze, interface
 from .shell import Failure
@@ -17,7 +17,9 @@ TESTS = "Parts are run after each other, whatever fails. Without a part: {}. The
 
 
 def build_command(options):
-    if options.system:
+    if options.web:
+        web.build_web()
+    elif options.system:
         cross.build_for(SYSTEMS[options.system], *build.PROGRAM)
     elif options.mujoco:
         build.build_mujoco4()
@@ -64,6 +66,7 @@ def add_builds(commands):
     which = command.add_mutually_exclusive_group()
     which.add_argument("--avx", action="store_true", help="with the faster build of the same MuJoCo beside the library")
     which.add_argument("--mujoco", choices=["4"], help="on MuJoCo 4, not 2.2.2, until something is built there again")
+    which.add_argument("--web", action="store_true", help="WebAssembly: build-web/lib/mimo.wasm, docs/web.md")
     for name in SYSTEMS:
         text = f"for another system, in build-{name}: docs/platforms.md"
         which.add_argument(f"--{name}", dest="system", action="store_const", const=name, help=text)

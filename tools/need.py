@@ -28,6 +28,7 @@ PACKAGES = {
     "windows": "g++-mingw-w64-x86-64-posix mingw-w64-tools llvm wine64",
     "arm": "qemu-user libc6-arm64-cross libgcc-s1-arm64-cross",
     "macos": "llvm",
+    "web": "emscripten brotli",
 }
 PATIENCE = 600  # seconds that another apt may take
 

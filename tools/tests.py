@@ -5,13 +5,13 @@ import os
 import time
 import traceback
 
+from . import page, web
 from .build import build, prepare_mujoco4, use_mujoco
 from .csharp import test_csharp
 from .ctest import cases, failed_tests, run_workflow
 from .elsewhere import test_arm, test_linux
 from .octave import test_octave
 from .packages import test_package, test_release
-from .page import test_web
 from .python import sessions, test_python, test_pythons, test_ray, test_view
 from .rust import test_rust
 from .same import check_same, test_same
@@ -35,6 +35,11 @@ def test_mujoco4():
     prepare_mujoco4()
     run_workflow("mujoco4")
     sessions("mujoco")
+
+
+def test_web():
+    web.test_module()
+    page.test_web()
 
 
 def test_sanitized(preset):
@@ -64,7 +69,7 @@ PARTS = {
     "asan-rooms": (lambda: test_sanitized("asan-rooms"), "--asan, with the tests of rooms"),
     "tsan": (lambda: run_workflow("tsan"), "what uses threads, with the sanitizer for races"),
     "avx": (test_avx, "--quick on the faster build of MuJoCo"),
-    "web": (test_web, "the npm package in Node and the page in a browser, on the module of ./dev build --web"),
+    "web": (test_web, "the module of WebAssembly: C tests and the npm package in Node, the page in a browser"),
     "pythons": (test_pythons, "the Python package on each version of Python that is installed, and of MuJoCo"),
     "view": (test_view, "the viewer in a headless browser, Rerun, USD; needs chromium"),
     "ray": (test_ray, "worlds and learning on clusters of local nodes, of which one is killed; installs Ray"),
