@@ -3,6 +3,7 @@
 import re
 import shutil
 import sys
+import tempfile
 
 from .build import build, use_mujoco
 from .cross import build_for
@@ -39,11 +40,13 @@ def foreign_debian(name, suite, architecture):
     if (folder / "complete").is_file():
         return folder
     need("debootstrap")
-    shutil.rmtree(folder, ignore_errors=True)
     RELEASE.mkdir(parents=True, exist_ok=True)
     print(f"Fetching Debian {suite} for {architecture}")
     options = ("--download-only", "--arch", architecture, "--variant", "minbase", "--include", "python3")
-    must(f"Debian {suite} for {architecture} cannot be fetched", "debootstrap", *options, suite, folder)
+    with tempfile.TemporaryDirectory() as fetched:  # debootstrap finds no dependencies on a path with a space
+        must(f"Debian {suite} for {architecture} cannot be fetched", "debootstrap", *options, suite, fetched)
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(fetched, folder, symlinks=True)
     archives = folder / "var/cache/apt/archives"
     for package in archives.glob("*.deb"):
         run("dpkg-deb", "--extract", package, folder)
