@@ -11,7 +11,7 @@ from .elsewhere import FIRST_STEPS, check_moved, steps_here, test_system
 from .need import need
 from .pins import PINS, check_hash, unzip
 from .same import check_same
-from .shell import copy, fail, fresh, must, run, run_quietly, try_run
+from .shell import ROOT, copy, fail, fresh, must, run, run_quietly, try_run
 from .systems import SYSTEMS
 from .wheels import RELEASE, put_wheel, wheel_for
 
@@ -20,6 +20,7 @@ FOLDER, WINE64 = WINDOWS.folder, "/usr/lib/wine/wine64"
 WINE = {"WINEDEBUG": "-all", "WINEPREFIX": str(FOLDER / "wine")}
 PYTHON = RELEASE / "python-windows"
 PACKAGES = PYTHON / "packages"  # the wheel and what it needs
+STEP_UNIT = ROOT / "tests/loading/step_unit.py"
 PICTURES = ("run", "--scene", "benchmark", "--seconds", "0.05", "--seed", "3", "--vision", "64", "--out")
 
 
@@ -90,6 +91,20 @@ def check_wheel():
     print("The same bytes by Windows' Python")
 
 
+def check_units():
+    """Units of FMI that the program writes there hold all that Windows lacks, and step."""
+    fetch_python()
+    for version in ("2", "3"):
+        unit = FOLDER / f"reach{version}.fmu"
+        unit.unlink(missing_ok=True)
+        options = ("--scene", "reach", "--outputs", "proprioception", "--vision", "off", "--fmi", version)
+        says(FOLDER / "bin/mimo.exe", "export", "--fmu", on_windows(unit), *options)
+        status, said = python(on_windows(STEP_UNIT), on_windows(unit))
+        if (status, said) != (0, f"5 steps by FMI {version}, and back to a state"):
+            fail(f"Windows' Python steps {unit} and says ({status}): {said}")
+    print("Units of FMI on Windows")
+
+
 def check_csharp():
     """Tests the C# classes by Windows' .NET, with the HDF5 that the wheel's packages brought."""
     build_tests("WindowsTests.exe", "-define:WINDOWS")
@@ -128,5 +143,6 @@ def test_windows():
     check_pictures()
     check_states()
     check_wheel()
+    check_units()
     check_csharp()
     check_other_mujoco()
