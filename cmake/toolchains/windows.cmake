@@ -12,6 +12,7 @@ set(CMAKE_CROSSCOMPILING_EMULATOR /usr/lib/wine/wine64)  # Debian's package wine
 
 # What Windows does not bring is inside: users have no mingw. No file says when it was linked.
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static -s -Wl,--no-insert-timestamp")
+set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static -s -Wl,--no-insert-timestamp")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static -s -Wl,--no-insert-timestamp")
 
 # Windows aligns stacks to 16 bytes, GCC believes that rows of 32 and more are aligned there (its bug 54412) and moves
