@@ -10,7 +10,7 @@ from .cross import build_for
 from .ctest import run_workflow
 from .need import need
 from .pins import tool
-from .same import check_same
+from .same import check_same, steps_of
 from .shell import BUILD, PYTHON, ROOT, copy, fail, fresh, must, only, output, run, run_quietly, try_run
 from .systems import SYSTEMS
 from .wheels import RELEASE, WHEELS, put_wheel, wheel_for
@@ -114,11 +114,13 @@ def test_arm():
     """Tests the build for 64-bit ARM, whose MuJoCo gives the numbers of Debian's: both are for all processors."""
     need("arm")
     test_system(ARM)
-    build("release", "capi_same", "kept_states")
+    build("release", "capi_same", "kept_states", "same_steps", "same_maths")
     use_mujoco()
     qemu = ("qemu-aarch64", "-L")
     foreign = (*qemu, "/usr/aarch64-linux-gnu")
     check_same_as_here(output(BUILD / "bin/capi_same"), *foreign, ARM.folder / "bin/capi_same")
+    check_same("other bytes on ARM", steps_of(BUILD, 100), steps_of(ARM.folder, 100, *foreign))
+    print("The same bytes of all senses in 100 steps on ARM")
     check_moved((BUILD / "bin/kept_states",), (*foreign, ARM.folder / "bin/kept_states"), ARM.folder / "moved")
     root = foreign_debian("debian-arm", "bookworm", "arm64")
     packages, steps = root / "opt/packages", steps_here()

@@ -1,6 +1,7 @@
-"""The same bytes in every language: the scenario of tests/capi/same.c."""
+"""The same bytes in every language (tests/capi/same.c) and on every processor (tests/same/steps.c)."""
 
 import difflib
+import platform
 
 from .build import build
 from .csharp import build_csharp
@@ -12,6 +13,8 @@ from .rust import LIBRARY
 from .shell import BUILD, ROOT, fail, fresh, output
 
 MADE = BUILD / "same"
+PROCESSORS = {"AVX": "max,-avx2,-fma", "AVX2": "max"}  # QEMU's names; it knows no AVX-512
+NO_FUSING = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA,-AVX2_Usable,-FMA_Usable"}  # in the C library
 VARIABLES = {**LIBRARY, "MIMO_LIBRARY": BUILD / "lib/libmimo.so", "PYTHONPATH": ROOT / "bindings/python/src"}
 CRATE = "bindings/rust/mimo/Cargo.toml"
 
@@ -33,8 +36,37 @@ def hashed(language, *command):
     return "\n".join(f"{scene} {output(BUILD / 'bin/same_fnv1a', folder / scene)} {total}" for scene, total in words)
 
 
+def steps_of(folder, count, *emulator, env=None):
+    """The hashes of so many steps with all senses by a build, in which MuJoCo calls libmimo's sin, exp and the like."""
+    program, maths = folder / "bin/same_steps", folder / "lib/libsame_maths.so"
+    if emulator:
+        return output(*emulator, "-E", f"LD_PRELOAD={maths}", program, count)
+    return output(program, count, env={"LD_PRELOAD": maths, **(env or {})})
+
+
+def up_to(steps, text):
+    """The lines of the first steps, of those that tests/same/steps.c prints."""
+    return "\n".join(line for line in text.splitlines() if int(line.split()[1]) <= steps)
+
+
+def check_processors(count=300, emulated=100):
+    """Compares the hashes of this processor with those without its faster instructions, as far as QEMU goes."""
+    build("release", "same_steps", "same_maths")
+    here = steps_of(BUILD, count)
+    print(f"With all senses:\n{here}")
+    if platform.machine() != "x86_64":
+        return
+    need("qemu-user")
+    check_same("other bytes without fused multiplication", here, steps_of(BUILD, count, env=NO_FUSING))
+    for name, processor in PROCESSORS.items():
+        there = steps_of(BUILD, emulated, "qemu-x86_64", "-cpu", processor)
+        check_same(f"a processor with {name} gives other bytes", up_to(emulated, here), there)
+    print(f"The same bytes without fused multiplication, and on processors with {' and '.join(PROCESSORS)}")
+
+
 def test_same():
     """Compares a line a scene, with the hash of all blocks."""
+    check_processors()
     need("rust")
     build("release", "mimo", "capi_same", "same_cpp", "same_fnv1a")
     python = environment("python-same", "test") / "python"

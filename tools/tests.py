@@ -14,7 +14,7 @@ from .octave import test_octave
 from .packages import test_package, test_release
 from .python import sessions, test_python, test_pythons, test_ray, test_view
 from .rust import test_rust
-from .same import check_same, test_same
+from .same import check_processors, check_same, test_same
 from .shell import BUILD, ROOT, Failure, fail, output
 from .windows import test_windows
 
@@ -59,7 +59,7 @@ USUAL = {
     "rust": (test_rust, "the Rust crates"),
     "csharp": (test_csharp, "the C# classes, on Mono and .NET"),
     "octave": (test_octave, "the MEX gateway, in Octave"),
-    "same": (test_same, "all languages give the same bytes"),
+    "same": (test_same, "all languages and all processors give the same bytes"),
     "package": (test_package, "Debian's packages and the sources, in a clone on a path with a space"),
     "asan": (lambda: test_sanitized("asan"), "the interface, with sanitizers for addresses and undefined behaviour"),
 }
@@ -73,6 +73,7 @@ PARTS = {
     "pythons": (test_pythons, "the Python package on each version of Python that is installed, and of MuJoCo"),
     "view": (test_view, "the viewer in a headless browser, Rerun, USD; needs chromium"),
     "ray": (test_ray, "worlds and learning on clusters of local nodes, of which one is killed; installs Ray"),
+    "steps": (lambda: check_processors(100_000, 1000), "100,000 steps of three scenes on each processor: hours"),
     "linux": (test_linux, "the build for any Linux: C tests, wheel in Debian 11 and 13"),
     "arm": (test_arm, "the build for 64-bit ARM, by QEMU"),
     "windows": (test_windows, "the build for Windows, by wine: C tests, pictures, wheel, C#"),
@@ -86,7 +87,7 @@ USUALLY = {
     "rust": 1,
     "csharp": 1,
     "octave": 1,
-    "same": 1,
+    "same": 2,
     "package": 3,
     "asan": 8,
     "mujoco4": 8,

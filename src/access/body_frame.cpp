@@ -1,5 +1,6 @@
 #include "access/body_frame.h"
 
+#include "base/turns.h"
 #include "engine/physics.h"
 
 namespace mimo::access {
@@ -37,7 +38,7 @@ void BodyFrame::see_position(double* values) const {
 }
 
 void BodyFrame::see_orientation(double* values) const {
-  const Eigen::Quaterniond seen = from_world_ * quaternion(values);
+  const Eigen::Quaterniond seen = turn_after(from_world_, quaternion(values));
   values[0] = seen.w();
   Vector{values + 1} = seen.vec();
 }

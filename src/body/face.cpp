@@ -8,6 +8,7 @@
 #include "base/functions.h"
 #include "base/names.h"
 #include "base/numbers.h"
+#include "base/turns.h"
 
 namespace mimo::body {
 namespace {
@@ -48,7 +49,7 @@ Isometry3d place(const mjModel& model, const mjData& data, int body, const std::
     }
     const Vector3d at = vector(model.jnt_pos + 3 * joint);
     const Vector3d anchor = position + turn * at;
-    turn = turn * turn_about<Quaterniond>(vector(model.jnt_axis + 3 * joint), angle - model.qpos0[address]);
+    turn = turn_after(turn, turn_about<Quaterniond>(vector(model.jnt_axis + 3 * joint), angle - model.qpos0[address]));
     position = anchor - turn * at;
   }
   return Eigen::Translation3d(position) * turn;

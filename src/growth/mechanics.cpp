@@ -9,6 +9,7 @@
 #include "base/fail.h"
 #include "base/functions.h"
 #include "base/numbers.h"
+#include "base/turns.h"
 
 namespace mimo::growth {
 namespace {
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 Vector3d point(const Vector& vector) { return {vector[0], vector[1], vector[2]}; }
 
 Isometry3d pose(const Vector& position, const std::array<double, 4>& q) {
-  return Eigen::Translation3d(point(position)) * Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+  return Eigen::Translation3d(point(position)) * normal_turn(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
 }
 
 Isometry3d turned(const Joint& joint, double angle) {

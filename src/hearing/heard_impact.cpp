@@ -108,6 +108,7 @@ void Voice::add_click(std::size_t ear, std::int64_t first, std::int64_t now, Spa
 
 // Each mode is a recursion of two steps that starts anew with every call.
 void Voice::add_ringing(std::size_t ear, std::int64_t first, std::int64_t now, Span<float> out) const {
+  static_assert(kModes == 8);
   using Lanes = Eigen::Array<float, kModes, 1>;
   Lanes y2 = Lanes::Zero(), y1 = Lanes::Zero(), c1 = Lanes::Zero(), c2 = Lanes::Zero();
   const double gone = static_cast<double>(first) - start_[ear];
@@ -129,7 +130,8 @@ void Voice::add_ringing(std::size_t ear, std::int64_t first, std::int64_t now, S
   if (audible == 0) return;
   for (std::size_t n = static_cast<std::size_t>(first - now); n < out.size(); ++n) {
     const Lanes y = c1 * y1 - c2 * y2;
-    out[n] += y.sum();
+    const Eigen::Array4f pairs = y.head<4>() + y.tail<4>();  // in one order, which sum() has not on all processors
+    out[n] += (pairs[0] + pairs[2]) + (pairs[1] + pairs[3]);
     y2 = y1;
     y1 = y;
   }

@@ -1,6 +1,6 @@
-/* steps COUNT [fields] [SCENE...]: steps worlds in which infants have every sense, and prints a line a scene: its name
- * and the SHA-256 of all blocks. The same lines on all systems of docs/guide/reproducibility.md; ./dev test --same
- * compares. With "fields" it also prints a hash for each field, which shows what differs.
+/* steps COUNT [fields] [SCENE...]: steps worlds in which infants have every sense, and prints the SHA-256 of all blocks
+ * after 100, 1000, ... and COUNT steps of each scene. docs/guide/reproducibility.md says where these are the same;
+ * ./dev test --same compares. With "fields" it also prints a hash for each field, which shows what differs.
  */
 #include "support/capi.h"
 
@@ -64,9 +64,11 @@ static void sha256_add(sha256* it, const void* from, size_t count) {
   }
 }
 
-static void sha256_print(sha256* it) {
+/* Of what was added so far. */
+static void sha256_print(const sha256* so_far) {
   static const uint8_t padding[64] = {0x80};
-  const uint64_t bits = 8 * it->bytes;
+  const uint64_t bits = 8 * so_far->bytes;
+  sha256 all = *so_far, *it = &all;
   uint8_t length[8];
   int i;
   for (i = 0; i < 8; ++i) length[i] = (uint8_t)(bits >> (56 - 8 * i));
@@ -147,13 +149,20 @@ static void play(const char* name, long steps, int with_fields) {
   float* actions = malloc(count * sizeof *actions);
   uint64_t random = 7;
   sha256 all = sha256_start();
-  long step;
+  long step, told = 100;
   size_t i;
   CHECK_OK(mimo_env_reset(env, SEED(7), block, bytes));
   for (step = 0; step <= steps; ++step) {
     uint8_t terminated[2] = {0}, truncated[2] = {0};
     sha256_add(&all, block, bytes);
     for (i = 0; i < fields && with_fields; ++i) sha256_add(&parts[i].hash, block + parts[i].offset, parts[i].bytes);
+    if (step == told || step == steps) {
+      printf("%s %ld ", name, step);
+      sha256_print(&all);
+      printf("\n");
+      fflush(stdout);
+      if (step == told) told *= 10;
+    }
     if (step == steps) break;
     for (i = 0; i < count; ++i) actions[i] = next_action(&random);
     CHECK_OK(
@@ -162,15 +171,11 @@ static void play(const char* name, long steps, int with_fields) {
     if (terminated[0] || terminated[1] || truncated[0] || truncated[1])
       CHECK_OK(mimo_env_reset(env, NULL, block, bytes));
   }
-  printf("%s ", name);
-  sha256_print(&all);
-  printf("\n");
   for (i = 0; i < fields && with_fields; ++i) {
     printf("  ");
     sha256_print(&parts[i].hash);
     printf(" %s\n", parts[i].name);
   }
-  fflush(stdout);
   free(actions);
   free(block);
   mimo_env_destroy(env);

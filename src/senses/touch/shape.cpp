@@ -10,6 +10,7 @@
 
 #include "base/numbers.h"
 #include "base/span.h"
+#include "base/turns.h"
 #include "engine/physics.h"
 
 namespace mimo::senses::touch {
@@ -117,7 +118,7 @@ OuterShape shape_of(const mjModel& model, int geom) {
 
 Eigen::Matrix3d rotation_of(const mjModel& model, int geom) {
   const double* quat = model.geom_quat + 4 * geom;
-  return Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]).normalized().toRotationMatrix();
+  return normal_turn(Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3])).toRotationMatrix();
 }
 
 bool inside(const OuterShape& shape, const Vec3& point) { return depth(shape, point) > kTolerance; }
