@@ -171,8 +171,8 @@ def measurable():
 
 
 def run(command, **environment):
-    done = subprocess.run([PROGRAMS / command[0], *command[1:]], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                          env={**os.environ, **environment})
+    env = {**os.environ, **environment}
+    done = subprocess.run([PROGRAMS / command[0], *command[1:]], capture_output=True, text=True, env=env)
     if done.returncode != 0 or done.stderr:
         sys.exit(f"ratios: {' '.join(command)}: {done.stderr or 'failed'}")
     return json.loads(done.stdout) if "--json" in command else done.stdout

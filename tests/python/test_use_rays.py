@@ -157,3 +157,24 @@ def test_robosuite_draws_with_rays():
     assert 0 <= depth.min() < depth.max() == 1
     objects = sim.render(width=48, height=32, camera_name="a", segmentation=True)
     assert objects[rows[0], 24].tolist() == [5, 0]  # the type comes first
+
+
+def test_an_alpha_below_0_hides():
+    """robosuite hides its sites so."""
+    import mujoco
+
+    xml = (
+        '<mujoco><worldbody><geom size=".1"/><site size=".2" rgba="1 0 0 -1"/>'
+        '<camera name="a" pos="0 0 1"/></worldbody></mujoco>'
+    )
+    model = mujoco.MjModel.from_xml_string(xml)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    pictures = []
+    for alpha in (-1, 0):
+        model.site_rgba[0, 3] = alpha
+        with mimo.Renderer(model, 32, 32) as renderer:
+            renderer.update_scene(data, "a")
+            pictures.append(renderer.render())
+    assert pictures[0][16, 16, 1] > 50
+    np.testing.assert_array_equal(*pictures)

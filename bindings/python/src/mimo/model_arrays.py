@@ -66,6 +66,7 @@ class ModelArrays:
             colors[~still, 3] *= self._model.vis.map.alpha
         if not static:
             colors[still, 3] = 0
+        np.maximum(colors[:, 3], 0, out=colors[:, 3])  # some hide things by an alpha of -1, which OpenGL takes as 0
 
     def parts(self) -> Dict[str, Arrays]:
         """All parts; those of what the model has none of are left out."""
