@@ -58,7 +58,7 @@ class AgeSearch {
 
 bool is_age_open(const WorldOptions& options) {
   const std::vector<std::string> scenes = mimo::scene_names();
-  return !growth_of(options.age) && options.body.empty() &&
+  return !options.age.age && !options.age.physiological_age && options.body.empty() &&
          std::find(scenes.begin(), scenes.end(), options.scene) != scenes.end();
 }
 

@@ -375,3 +375,14 @@ def test_the_age_that_nobody_gives_is_fitted(tmp_path, age):
     assert float(factor.split("limbs are ")[1].split()[0]) == pytest.approx(1, abs=0.02)
     assert report["points_rms"] < 0.005
     assert replay(tmp_path / "run.trc", "--age", str(age))["fitted_age"] is None
+
+
+def test_the_age_is_fitted_to_an_infant_of_the_given_sex(tmp_path):
+    """At 9 months boys measure 72.0 cm and girls 70.1 (WHO's medians), which girls reach a month and a half later."""
+    with infant(9) as world:
+        _, points = movement(world, rows=25)
+    points = points[:, [NAMES.index(name) for name in KEPT]]
+    write_trc(tmp_path / "run.trc", KEPT, points)
+    boy, girl = (replay(tmp_path / "run.trc", "--sex", sex)["fitted_age"] for sex in ("male", "female"))
+    assert boy < 9 < girl
+    assert girl - boy == pytest.approx(1.5, abs=0.8)
