@@ -378,7 +378,7 @@ def test_the_age_that_nobody_gives_is_fitted(tmp_path, age):
 
 
 def test_the_age_is_fitted_to_an_infant_of_the_given_sex(tmp_path):
-    """At 9 months boys measure 72.0 cm and girls 70.1 (WHO's medians), which girls reach a month and a half later."""
+    """At 9 months boys measure 72.0 cm, girls 70.1 (WHO's medians), who are as long a month and a half later."""
     with infant(9) as world:
         _, points = movement(world, rows=25)
     points = points[:, [NAMES.index(name) for name in KEPT]]
