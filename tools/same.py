@@ -38,7 +38,8 @@ def hashed(language, *command):
 
 def steps_of(folder, count, *emulator, env=None):
     """The hashes of so many steps with all senses by a build, in which MuJoCo calls libmimo's sin, exp and the like."""
-    program, maths = folder / "bin/same_steps", folder / "lib/libsame_maths.so"
+    program = folder / "bin/same_steps"
+    maths = (folder / "lib/libsame_maths.so").relative_to(ROOT)  # LD_PRELOAD takes no spaces, which ROOT may have
     if emulator:
         return output(*emulator, "-E", f"LD_PRELOAD={maths}", program, count)
     return output(program, count, env={"LD_PRELOAD": maths, **(env or {})})
