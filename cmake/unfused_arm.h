@@ -1,4 +1,4 @@
-// Comes before everything in C++ for 64-bit ARM. Eigen's vectors fuse multiplications where the compiler says that the
-// processor can, although MimoOptions.cmake tells the compiler not to. Unfused, they add in the order of those of x86-64.
+// The compiler reads this before each C++ file for 64-bit ARM. MimoOptions.cmake forbids it to fuse multiplications,
+// but Eigen's vectors fuse them where the processor can. Without fusing, Eigen adds in the same order as on x86-64.
 #include <arm_neon.h>
 #undef __ARM_FEATURE_FMA
