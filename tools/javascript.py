@@ -27,10 +27,15 @@ def take_module():
     return (PACKAGE / "mimo.wasm").is_file()
 
 
-def test_javascript():
-    """Checks the types, and runs the tests; most of them need the module and are skipped without it."""
+def compile_types():
+    """Checks the types, and makes the package's declarations of them."""
     install_compiler()
     run("npx", "tsc", "-p", ".", cwd=PACKAGE)
+
+
+def test_javascript():
+    """Checks the types, and runs the tests; most of them need the module and are skipped without it."""
+    compile_types()
     if json.loads((PACKAGE / "package.json").read_text())["version"] != version():
         fail(f"bindings/javascript/package.json has another version than the library, {version()}")
     take_module()
@@ -41,8 +46,7 @@ def pack_javascript():
     """Makes the npm package; returns the file."""
     if not take_module():
         fail("the npm package needs the module: ./dev build --web")
-    install_compiler()
-    run("npx", "tsc", "-p", ".", cwd=PACKAGE)
+    compile_types()
     copy([ROOT / "LICENSE"], PACKAGE)
     folder = fresh(BUILD / "packages/npm")
     return folder / output("npm", "pack", "--silent", "--pack-destination", folder, cwd=PACKAGE)

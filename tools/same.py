@@ -36,13 +36,17 @@ def hashed(language, *command):
     return "\n".join(f"{scene} {output(BUILD / 'bin/same_fnv1a', folder / scene)} {total}" for scene, total in words)
 
 
+def own_maths(folder):
+    """What makes MuJoCo call libmimo's sin, exp and the like. LD_PRELOAD takes no spaces, which ROOT may have."""
+    return {"LD_PRELOAD": (folder / "lib/libsame_maths.so").relative_to(ROOT)}
+
+
 def steps_of(folder, count, *emulator, env=None):
     """The hashes of so many steps with all senses by a build, in which MuJoCo calls libmimo's sin, exp and the like."""
-    program = folder / "bin/same_steps"
-    maths = (folder / "lib/libsame_maths.so").relative_to(ROOT)  # LD_PRELOAD takes no spaces, which ROOT may have
+    program, maths = folder / "bin/same_steps", own_maths(folder)
     if emulator:
-        return output(*emulator, "-E", f"LD_PRELOAD={maths}", program, count)
-    return output(program, count, env={"LD_PRELOAD": maths, **(env or {})})
+        return output(*emulator, "-E", f"LD_PRELOAD={maths['LD_PRELOAD']}", program, count)
+    return output(program, count, env={**maths, **(env or {})})
 
 
 def up_to(steps, text):

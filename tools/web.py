@@ -5,13 +5,13 @@ import shutil
 from .build import build, cmake
 from .cross import CROSS, fetch_dependencies, fetch_sources
 from .ctest import run_workflow
+from .javascript import LICENCES, MODULE
 from .need import need
 from .pins import PINS, check_hash
-from .same import check_same
+from .same import check_same, own_maths
 from .shell import BUILD, ROOT, copy, fail, fresh, must, only, output
 
 FOLDER = ROOT / "build-web"
-MODULE = FOLDER / "lib/mimo.wasm"
 SOURCES = CROSS / "mujoco/web"  # of MuJoCo
 USED = ("libccd", "lodepng", "qhull", "tinyobjloader", "tinyxml2")  # by MuJoCo
 MEGABYTE = 1 << 20
@@ -39,7 +39,7 @@ def fetch_mujoco_sources():
 
 def collect_licences():
     """The licences of all that is inside the module, in build-web/licences."""
-    folder = fresh(FOLDER / "licences")
+    folder = fresh(LICENCES)
     copy([ROOT / "LICENSE"], folder)
     shutil.copy(SOURCES / "LICENSE", folder / "mujoco.txt")
     shutil.copy("/usr/share/doc/emscripten/copyright", folder / "emscripten.txt")  # its C and C++ libraries
@@ -75,7 +75,7 @@ def check_size():
 def check_bytes():
     """The scenario of tests/capi/same.c gives the bytes of the library here, where MuJoCo calls the same functions."""
     build("release", "capi_same", "same_maths")
-    here = output(BUILD / "bin/capi_same", env={"LD_PRELOAD": BUILD / "lib/libsame_maths.so"})
+    here = output(BUILD / "bin/capi_same", env=own_maths(BUILD))
     check_same("WebAssembly gives other bytes", here, output("node", FOLDER / "bin/capi_same.js"))
     print(f"The same bytes in WebAssembly:\n{here}")
 

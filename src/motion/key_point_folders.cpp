@@ -139,16 +139,13 @@ Markers read_openpose(const std::string& folder, double rate) {
     if (count != 0 && count != markers.names.size()) {
       throw Failure(file + text(": %zu points, expected %zu as in the files before", count, markers.names.size()));
     }
-    markers.times.push_back(static_cast<double>(markers.times.size()) / rate);
-    markers.rows.emplace_back();
-    markers.weights.emplace_back();
+    markers.begin_row(static_cast<double>(markers.times.size()) / rate);
     for (std::size_t i = 0; i < count; ++i) {
       const double sure = numbers[3 * i + 2];
       if (!(sure >= 0 && sure <= 1)) {
         throw Failure(file + ": the confidence of " + markers.names[i] + text(" is %g, expected 0 to 1", sure));
       }
-      markers.rows.back().push_back(sure > 0 ? Eigen::Vector3d(numbers[3 * i], numbers[3 * i + 1], 0) : kUnseen);
-      markers.weights.back().push_back(sure);
+      markers.add_weighted(Eigen::Vector3d(numbers[3 * i], numbers[3 * i + 1], 0), sure);
     }
   }
   if (markers.names.empty()) throw Failure(folder + text(": nobody was found in any of %zu frames", files.size()));

@@ -126,18 +126,14 @@ Markers read_key_points(const std::string& path) {
                            ? std::string("time is empty")
                            : text("time is %.9g s after %.9g s, expected a later one", time, markers.times.back()));
     }
-    markers.times.push_back(time);
-    markers.rows.emplace_back();
-    markers.weights.emplace_back();
+    markers.begin_row(time);
     for (const PointColumns& it : points) {
       const auto value = [&](char part) { return table.number(line, it.parts.at(part), it.name + ':' + part); };
-      Eigen::Vector3d place = markers.in_pixels ? Eigen::Vector3d(value('u'), value('v'), 0)
-                                                : Eigen::Vector3d(value('x'), value('y'), value('z'));
-      double weight = it.parts.count('w') > 0 ? value('w') : 1;
+      const Eigen::Vector3d place = markers.in_pixels ? Eigen::Vector3d(value('u'), value('v'), 0)
+                                                      : Eigen::Vector3d(value('x'), value('y'), value('z'));
+      const double weight = it.parts.count('w') > 0 ? value('w') : 1;
       if (weight < 0) table.fail(line, text("column '%s:w' is %g, expected 0 or more", it.name.c_str(), weight));
-      if (!(weight > 0)) place = kUnseen;
-      markers.rows.back().push_back(place.allFinite() ? place : kUnseen);
-      markers.weights.back().push_back(place.allFinite() ? weight : 0);
+      markers.add_weighted(place, weight);
     }
   }
   if (markers.times.empty()) throw Failure(path + ": no rows of numbers follow the header");
@@ -178,18 +174,14 @@ Markers read_deeplabcut(const std::string& path, double rate) {
   }
   for (std::size_t line = kHeader; line < lines.size(); ++line) {
     table.require_width(line, parts.size());
-    markers.times.push_back(static_cast<double>(markers.times.size()) / rate);
-    markers.rows.emplace_back();
-    markers.weights.emplace_back();
+    markers.begin_row(static_cast<double>(markers.times.size()) / rate);
     for (std::size_t i = 0; i < markers.names.size(); ++i) {
       const auto value = [&](std::size_t k) { return table.number(line, 1 + 3 * i + k, markers.names[i]); };
       const double sure = value(2);
       if (sure < 0 || sure > 1) {
         table.fail(line, text("the likelihood of '%s' is %g, expected 0 to 1", markers.names[i].c_str(), sure));
       }
-      const Eigen::Vector3d place = sure > 0 ? Eigen::Vector3d(value(0), value(1), 0) : kUnseen;
-      markers.rows.back().push_back(place.allFinite() ? place : kUnseen);
-      markers.weights.back().push_back(place.allFinite() ? sure : 0);
+      markers.add_weighted(sure > 0 ? Eigen::Vector3d(value(0), value(1), 0) : kUnseen, sure);
     }
   }
   if (markers.times.empty()) throw Failure(path + ": no rows of numbers follow the header");

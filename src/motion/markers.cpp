@@ -380,6 +380,18 @@ void scale(std::vector<Point>& points, const Markers& markers, double given, con
 
 }  // namespace
 
+void Markers::begin_row(double time) {
+  times.push_back(time);
+  rows.emplace_back();
+  weights.emplace_back();
+}
+
+void Markers::add_weighted(const Eigen::Vector3d& place, double weight) {
+  const bool seen = weight > 0 && place.allFinite();
+  rows.back().push_back(seen ? place : kUnseen);
+  weights.back().push_back(seen ? weight : 0);
+}
+
 void require_rate(const std::string& path, double rate) {
   if (!(rate > 0)) throw Failure(path + " has no times: expected --rate, its frames a second");
 }

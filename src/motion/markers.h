@@ -23,6 +23,10 @@ struct Markers {
   bool in_pixels = false;
   bool has_own_names = false;    // those of points and bodies here, exactly
   std::optional<Camera> camera;  // of the data set, if it is known
+
+  // For points with weights: a row of no points yet, and its next one, which was not seen without a place or a weight.
+  void begin_row(double time);
+  void add_weighted(const Eigen::Vector3d& place, double weight);
 };
 
 const Eigen::Vector3d kUnseen = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

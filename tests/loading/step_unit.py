@@ -40,7 +40,7 @@ class Unit:
         windows = sys.platform == "win32"
         system = ("x86_64-windows", "win64") if windows else ("x86_64-linux", "linux64")
         name = told.find("CoSimulation").get("modelIdentifier") + (".dll" if windows else ".so")
-        self.library = ctypes.CDLL(str(folder / "binaries" / system[0 if self.three else 1] / name))
+        self.module = ctypes.CDLL(str(folder / "binaries" / system[0 if self.three else 1] / name))
         self.log = (LOG_3 if self.three else LOG_2)(lambda *told: print(told[-1].decode()))
         self.made = self.make(folder / "resources")
         if not self.made:
@@ -57,7 +57,7 @@ class Unit:
         return make(b"infant", 1, self.token, resources.as_uri().encode(), byref(self.callbacks), 0, 1)
 
     def function(self, name):
-        return getattr(self.library, f"fmi{3 if self.three else 2}{name}")
+        return getattr(self.module, f"fmi{3 if self.three else 2}{name}")
 
     def call(self, name, *arguments):
         status = self.function(name)(c_void_p(self.made), *arguments)
