@@ -31,7 +31,7 @@ def wish(world, number):
     return np.sin(np.arange(len(world.action_names)) + number // 10).astype(np.float32)
 
 
-def told(world, count, looks):
+def told(world, count, looks, names=NERVES):
     """What nerves tell after so many steps of physics, looked at by the way or not."""
     for number in range(0, count, world.frame_skip):
         if looks:
@@ -39,7 +39,7 @@ def told(world, count, looks):
         else:
             world.step_into(None, wish(world, number))
     seen = world.observe()
-    return {name: seen[name].copy() for name in NERVES}
+    return {name: seen[name].copy() for name in names}
 
 
 def assert_same(one, other):
@@ -96,6 +96,32 @@ def test_receptors_start_an_episode_at_rest(usual):
     assert canals == pytest.approx(np.tile([90, 60], (6, 1)))
     # Skin between blood of 37 degrees and air of 15: 21.4 and 9.5 W/(m^2 K).
     assert begun["touch/temperature"] == pytest.approx((21.4 * 37 + 9.5 * 15) / 30.9, abs=0.02)
+
+
+def felt_on_a_hot_floor(*touch):
+    made = mimo.Scene("benchmark")
+    made.add_agent(vision=False, vestibular=False, proprioception=0, touch=touch, touch_scale=0.2)
+    made.set_temperature("world", 300)
+    made.set_material("world", "steel")
+    return mimo.World(made, frame_skip=1)
+
+
+# A sensor's nociceptors keep 16 bytes (a double, two floats), and so do its C-tactile afferents (two doubles).
+@pytest.mark.parametrize(
+    ("kept", "feels"),
+    [("ct", "nociception_fast"), ("ct", "nociception_slow"), ("nociception_fast", "ct"), ("nociception_slow", "ct")],
+)
+def test_nerves_do_not_take_the_memory_of_others_for_theirs(kept, feels):
+    with felt_on_a_hot_floor(kept) as one, felt_on_a_hot_floor(feels) as other, felt_on_a_hot_floor("force") as none:
+        one.reset(seed=3)
+        now = told(one, STEPS, looks=False, names=[f"touch/{kept}"])
+        assert now[f"touch/{kept}"].max() > 1
+        assert other.load(one.save()).fresh == ("receptors/touch",)
+        first = other.step(wish(other, 0)).observation[f"touch/{feels}"].copy()
+        # As where the state has no memory of nerves at all.
+        none.load(one.save())
+        assert "receptors/touch" in other.load(none.save()).fresh
+        assert other.step(wish(other, 0)).observation[f"touch/{feels}"].tobytes() == first.tobytes()
 
 
 @pytest.mark.parametrize("threads", [1, 3])

@@ -27,6 +27,12 @@ constexpr std::uint32_t kWarmthNerves = MIMO_TOUCH_TEMPERATURE | MIMO_TOUCH_COLD
 constexpr std::uint32_t kPainNerves = MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
 static_assert((kTouchNerves | kWarmthNerves | kPainNerves | MIMO_TOUCH_CT | MIMO_TOUCH_UNITS) == kSkinNerves);
 
+// The kind of a memory follows from its length. C-tactile afferents keep as many bytes as nociceptors: without these,
+// their memory has a version of its own.
+constexpr std::uint32_t memory_version(std::uint32_t wanted) {
+  return has_bit(wanted, MIMO_TOUCH_CT) && !has_bit(wanted, kPainNerves) ? 1 : 0;
+}
+
 const char* frame_name(TouchFrame frame) {
   switch (frame) {
     case TouchFrame::kBody: return "body";
@@ -74,7 +80,7 @@ class Nerves : public observation::Process {
  public:
   Nerves(const mjModel& model, const body::Body& body, std::shared_ptr<const touch::Skin> skin,
          const TouchOptions& options, touch::ThingsPtr things, touch::Rattle& rattle, double tick)
-      : Process("touch"),
+      : Process("touch", memory_version(options.wanted)),
         skin_(std::move(skin)),
         things_(std::move(things)),
         patches_(touch::patches(model, body, *skin_)),
