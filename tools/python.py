@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import tempfile
 
 from .build import build_program
 from .need import need
@@ -36,11 +37,11 @@ def wheel():
     copy([pip_wheel("bindings/python", NATIVE, BUILD / "python")], fresh(WHEELS))
 
 
-def sessions(*names, arguments=()):
+def sessions(*names, arguments=(), folder=BUILD / "nox"):
     """Runs sessions of noxfile.py; those that learn use Debian's torch where there is one."""
     learn = {"learning", "earlier", "ray", "train"} & {*names}
     need("python", *(["train"] if learn and shutil.which("apt-get") else []))
-    run(tool("nox"), "--envdir", BUILD / "nox", "--session", *names, *arguments, env=PIP)
+    run(tool("nox"), "--envdir", folder, "--session", *names, *arguments, env=PIP)
 
 
 def check_editable():
@@ -73,8 +74,10 @@ def test_view():
 
 
 def test_ray():
+    """Ray starts workers by a shell that splits the path of Python at a space, so the environment has none in its."""
     wheel()
-    sessions("ray")
+    with tempfile.TemporaryDirectory(prefix="mimo-ray-") as folder:
+        sessions("ray", folder=folder)
 
 
 def train(arguments):

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -158,6 +159,14 @@ def test_a_missing_cluster_is_refused(monkeypatch):
         mimo.ray.connect("somewhere")
 
 
+def test_a_python_on_a_path_with_a_space_is_warned_of(monkeypatch):
+    """Ray 2 runs `bash -c "exec PYTHON ..."` without quotes for actors that have a runtime environment."""
+    monkeypatch.setattr(ray, "is_initialized", lambda: False)
+    monkeypatch.setattr(sys, "executable", "/a space/python")
+    with pytest.warns(UserWarning, match="'/a space/python', at the space"), pytest.raises(ConnectionError):
+        mimo.ray.connect("127.0.0.1:1")
+
+
 def test_worlds_of_a_seed_are_the_same_with_any_number_of_runners():
     given = {"scene": "reach", "actors": 0, "cpus": 1, "options": {"flatten": True}}
 
@@ -234,10 +243,19 @@ def cluster_py(root, folder, *arguments):
     )
 
 
+def ended(process):
+    """Returns what a process printed until it ended; one that does not end is killed, with what it printed told."""
+    try:
+        return process.communicate(timeout=240)[0]
+    except subprocess.TimeoutExpired:
+        process.kill()
+        pytest.fail(f"it did not end within 240 s: {process.communicate()[0]}")
+
+
 def test_the_example_on_two_nodes_of_which_one_is_lost(root, tmp_path):
     arguments = ["--local-nodes", "2", "--steps", "640", "--lose-node-at", "256"]
     process = cluster_py(root, tmp_path, *arguments)
-    told = process.communicate(timeout=240)[0]
+    told = ended(process)
     assert process.returncode == 0, told
     lines = told.splitlines()
     assert "a node is lost" in lines
@@ -248,13 +266,14 @@ def test_the_example_on_two_nodes_of_which_one_is_lost(root, tmp_path):
 def test_the_example_resumes(root, tmp_path):
     arguments = ["--local-nodes", "1", "--steps", "2560"]
     process = cluster_py(root, tmp_path, *arguments)
-    for line in process.stdout:
-        if "step 1280:" in line:
-            break
+    watch = threading.Timer(240, process.kill)  # its lines end then
+    watch.start()
+    assert any("step 1280:" in line for line in process.stdout)
+    watch.cancel()
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=120)
     process = cluster_py(root, tmp_path, *arguments)
-    told = process.communicate(timeout=240)[0]
+    told = ended(process)
     assert process.returncode == 0, told
     assert f"{tmp_path / 'cluster'}: goes on" in told
     steps = [int(line.split(":")[0].split()[-1]) for line in told.splitlines() if ", step " in line]

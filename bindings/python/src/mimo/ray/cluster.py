@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 import socket
+import sys
+import warnings
 from typing import Any, Optional
 
 import ray
@@ -18,6 +20,12 @@ def connect(address: Optional[str] = None, **options: Any) -> None:
     """
     if ray.is_initialized():
         return
+    if " " in sys.executable:
+        warnings.warn(
+            f"Ray starts workers of Tune by a shell that splits the path of Python, {sys.executable!r}, at the space,"
+            " and waits for them without an end: make the environment on a path without spaces",
+            stacklevel=2,
+        )
     given = address or os.environ.get("RAY_ADDRESS")
     if given and given not in ("auto", "local"):
         _check_there(given)
