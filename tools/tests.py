@@ -94,6 +94,7 @@ USUALLY = {
     "linux": 10,
     "arm": 9,
     "windows": 9,
+    "ray": 8,
 }
 TOOK = BUILD / "took.json"  # seconds of each part when it passed last
 
@@ -108,7 +109,9 @@ def announce(names, took):
     print(f"Tests to run: {' '.join(f'--{name}' for name in names)}")
     for name in names:
         print(f"{name:12}{minutes(name, took) or '?':>4} min  {PARTS[name][1]}")
-    print(f"Together about {sum(minutes(name, took) for name in names)} minutes")
+    unknown = sum(not minutes(name, took) for name in names)
+    more = f", and {unknown} that nobody has timed here" if unknown else ""
+    print(f"Together about {sum(minutes(name, took) for name in names)} minutes{more}")
 
 
 def run_part(name):
