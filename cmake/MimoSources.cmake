@@ -40,3 +40,7 @@ if(MIMO_PROGRAM)
   endif()
   target_link_libraries(PNG_PNG PUBLIC ZLIB::ZLIB)
 endif()
+
+if(EMSCRIPTEN)
+  include(MimoHdf5)
+endif()

@@ -6,7 +6,7 @@ list(APPEND mimo_functions _malloc _free)
 list(JOIN mimo_functions "\n" mimo_functions)
 file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/functions.txt CONTENT "${mimo_functions}\n" @ONLY)
 
-add_executable(mimo_module)
+add_executable(mimo_module ${PROJECT_SOURCE_DIR}/cmake/web/open.c)
 mimo_link_room(mimo_module capi)
 set_target_properties(mimo_module PROPERTIES OUTPUT_NAME mimo SUFFIX .wasm LINKER_LANGUAGE CXX
                       LINK_DEPENDS "${exports};${CMAKE_CURRENT_LIST_FILE}"

@@ -1,4 +1,4 @@
-"""The library as a module of WebAssembly, with MuJoCo compiled from its sources, and its tests in Node."""
+"""The library as a module of WebAssembly, with MuJoCo and HDF5 compiled from their sources, and its tests in Node."""
 
 import shutil
 
@@ -16,6 +16,17 @@ SOURCES = CROSS / "mujoco/web"  # of MuJoCo
 USED = ("libccd", "lodepng", "qhull", "tinyobjloader", "tinyxml2")  # by MuJoCo
 MEGABYTE = 1 << 20
 MOST_BYTES = 6 * MEGABYTE  # as it travels
+
+
+def fetch_hdf5_sources():
+    """Fetches the sources of HDF5. Those of Debian 12 run programs on the system for which they are compiled."""
+    if (CROSS / "hdf5").is_dir():
+        return
+    print("Fetching the sources of HDF5")
+    folder = CROSS / "sources"
+    fetch_sources("trixie", "hdf5")
+    only(folder, "hdf5-*/").rename(CROSS / "hdf5")
+    shutil.rmtree(folder)
 
 
 def fetch_mujoco_sources():
@@ -43,7 +54,7 @@ def collect_licences():
     copy([ROOT / "LICENSE"], folder)
     shutil.copy(SOURCES / "LICENSE", folder / "mujoco.txt")
     shutil.copy("/usr/share/doc/emscripten/copyright", folder / "emscripten.txt")  # its C and C++ libraries
-    for name in USED:
+    for name in (*USED, "hdf5"):
         shutil.copy(CROSS / name / "debian/copyright", folder / f"{name}.txt")
     for name in ("highway", "pugixml", "zlib"):
         copy([CROSS / f"licences/{name}.txt"], folder)
@@ -55,6 +66,7 @@ def prepare_web():
     need("cross", "web")
     fetch_dependencies()
     fetch_mujoco_sources()
+    fetch_hdf5_sources()
 
 
 def build_web(*targets):

@@ -23,6 +23,7 @@ BY_HAND = (
     r"mimo_[a-z]+_(create|make|destroy|clone|layout|reset|step|send|receive|observe|state_\w+|render|mesh)"
     r"|mimo_env_(get|get_float|set|width|poses|texture|project|look_angles|follow|random)"
     r"|mimo_batch_(get|get_float|set|world|world_error|size)"
+    r"|mimo_(recorder|recording)_.*"
     r"|mimo_scene_(name|xml|set_task|add_field|set_maturity|default_agent|add_agents?)|mimo_layout_.*"
 )
 # Lengths of arrays that come without one.

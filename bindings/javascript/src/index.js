@@ -7,6 +7,7 @@ export { Layout } from "./layout.js";
 export { apiVersion, faces, materials, mujocoVersion, parameters, rooms, scenes, statusName, supports, tasks, version } from "./library.js";
 export { load } from "./memory.js";
 export { Named } from "./named.js";
+export { Recorder, Recording } from "./recording.js";
 export { maturityAt, Scene } from "./scene.js";
 export { World } from "./world.js";
 

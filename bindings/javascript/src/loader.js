@@ -1,8 +1,9 @@
 /**
  * Instantiates mimo.wasm: the few functions of an operating system that it asks for, and nothing else. It sees no files
- * and no network.
+ * but those in memory, and no network.
  */
 import { MimoError } from "./error.js";
+import { Files } from "./files.js";
 import { Status } from "./generated/constants.js";
 
 // As Emscripten's C library and WASI number "there is no such function".
@@ -38,6 +39,7 @@ export async function instantiate(source = new URL("../mimo.wasm", import.meta.u
   }
   const exports = /** @type {any} */ (instance.exports);
   system.memory = exports.memory;
+  systems.set(exports, system);
   if (typeof exports.mimo_abi_version !== "function") throw new MimoError(Status.FILE, "the module is not mimo.wasm");
   exports._initialize();
   return exports;
@@ -82,6 +84,12 @@ function lacking(name) {
   return () => (name.startsWith("fd_") ? NO_SUCH_FILE_CALL : NO_SUCH_CALL);
 }
 
+/** @type {WeakMap<object, System>} */
+const systems = new WeakMap();
+
+/** The files that an instance of the module sees. @param {object} exports */
+export const filesOf = (exports) => /** @type {System} */ (systems.get(exports)).files;
+
 /** What the module asks of an operating system. */
 class System {
   /** @type {WebAssembly.Memory | null} */
@@ -92,8 +100,11 @@ class System {
     return /** @type {WebAssembly.Memory} */ (this.memory).buffer;
   }
 
+  files = new Files(() => this.#buffer);
+
   /** @type {Record<string, Function>} */
   calls = {
+    ...this.files.calls,
     getTempRet0: () => this.#high,
     setTempRet0: (/** @type {number} */ value) => {
       this.#high = value;
@@ -117,14 +128,6 @@ class System {
     environ_get: () => 0,
     proc_exit: (/** @type {number} */ status) => {
       throw new MimoError(Status.INTERNAL, `the module ended with status ${status}`);
-    },
-    // Only for what the C library itself complains of before it ends.
-    fd_write: (/** @type {number} */ _, /** @type {number} */ parts, /** @type {number} */ count, /** @type {number} */ written) => {
-      const view = new DataView(this.#buffer);
-      let total = 0;
-      for (let i = 0; i < count; i++) total += view.getUint32(parts + 8 * i + 4, true);
-      view.setUint32(written, total, true);
-      return 0;
     },
   };
 }

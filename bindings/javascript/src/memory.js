@@ -1,7 +1,7 @@
 /** The module of WebAssembly: its memory, and how arguments get there. */
 import { MimoError } from "./error.js";
 import { ABI_VERSION, Status } from "./generated/constants.js";
-import { instantiate } from "./loader.js";
+import { filesOf, instantiate } from "./loader.js";
 import { offsetOf, readStruct, sizeOfStruct, writeStruct } from "./structs.js";
 
 /** @typedef {"u8" | "i32" | "u32" | "u64" | "f32" | "f64" | "size"} NumberKind */
@@ -65,6 +65,9 @@ export function wasm() {
   return module;
 }
 
+/** The files that the module sees. */
+export const files = () => filesOf(wasm());
+
 /** The memory as it is now: it is another one after it has grown. */
 export function buffer() {
   return /** @type {ArrayBuffer} */ (wasm().memory.buffer);
@@ -89,6 +92,9 @@ export function data() {
 export function view(kind, pointer, length) {
   return new ARRAYS[kind](buffer(), pointer, length);
 }
+
+/** The class of arrays of a kind. @param {NumberKind} kind @returns {any} */
+export const numbers = (kind) => ARRAYS[kind];
 
 /** @param {NumberKind} kind */
 export function bytesOf(kind) {

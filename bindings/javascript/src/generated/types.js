@@ -545,4 +545,57 @@
  * @property {number} [hearing] Sounds, and their paths to the ears.
  */
 
+/**
+ * What is recorded, and how.
+ *
+ * Experimental.
+ * @typedef {object} RecorderConfig
+ * @property {number} [compression] 0 for none to 9 for the smallest file. Default 4.
+ * @property {string} [keep] Fields to keep of each step: "all", "none", or senses and fields with commas between
+ * them, "touch,vision/eye_left". Unless set: proprioception and vestibular of whoever has them.
+ * @property {number} [stateSeconds] Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.
+ * @property {number} [flushSeconds] Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each
+ * step. Default 1.
+ * @property {string} [configuration] What the program wants to find again: a text, best JSON. Unless set: "".
+ * @property {number | bigint} [seed] For people: the attribute `seed`. Replays do not need it. Default 0.
+ * @property {string} [hdf5] Path of the HDF5 library; unless set: see above.
+ * @property {boolean} [replace] true: a whole recording that is there, and that no program is using, is replaced.
+ * false (default): it stays, and the recorder is refused.
+ */
+
+/**
+ * What a recording holds. Its strings belong to the recording.
+ *
+ * Experimental.
+ * @typedef {object} RecordingInfo
+ * @property {number} [formatVersion] Of the file.
+ * @property {boolean} [sameBuild] true: the loaded library is the one that recorded.
+ * @property {number} [steps] That can be played.
+ * @property {number} [states] That were kept.
+ * @property {number} [actions] Of a step.
+ * @property {number} [agents] Of a step's rewards.
+ * @property {number} [bodies] Ages that infants had; 0 in recordings of format version 1.
+ * @property {number} [stepSeconds] Of one step.
+ * @property {string} [build] Versions and build that recorded.
+ * @property {string} [thisBuild] Of the loaded library.
+ * @property {string} [configuration] What the recording program left.
+ * @property {string} [seed] As a decimal number.
+ * @property {string} [library] Version of the library that recorded; "" before format version 3.
+ * @property {string} [mujoco] Version of its MuJoCo; "" before format version 3.
+ */
+
+/**
+ * What a replay has shown so far.
+ *
+ * Experimental.
+ * @typedef {object} ReplayReport
+ * @property {boolean} [identical] true: all that was compared was the same to the last bit.
+ * @property {number} [next] The step that comes next.
+ * @property {number} [steps] How many were played.
+ * @property {number} [firstDifference] The first step that differed; without meaning where all was identical.
+ * @property {number} [largestDifference] Of any number; numbers that are not finite count as the largest double.
+ * @property {string} [differsMostIn] The dataset in which that was, "" where all was identical. Valid until the
+ * recording's next call that is not const.
+ */
+
 export {};

@@ -1,0 +1,88 @@
+// What HDF5 1.14 asks of a system, for WebAssembly as Emscripten has it: 32 bits, one thread, no locks of files.
+#ifndef H5_CONFIG_H_
+#define H5_CONFIG_H_
+
+#include <fenv.h>
+
+#define H5_HAVE_ATTRIBUTE 1
+#define H5_HAVE_CLOCK_GETTIME 1
+#define H5_HAVE_DIRENT_H 1
+#define H5_HAVE_DLFCN_H 1
+#define H5_HAVE_FILTER_DEFLATE 1
+#define H5_HAVE_GETTIMEOFDAY 1
+#define H5_HAVE_INTTYPES_H 1
+#define H5_HAVE_LIBM 1
+#define H5_HAVE_LIBZ 1
+#define H5_HAVE_RAND_R 1
+#define H5_HAVE_STDINT_H 1
+#define H5_HAVE_STRCASESTR 1
+#define H5_HAVE_STRDUP 1
+#define H5_HAVE_SYS_STAT_H 1
+#define H5_HAVE_SYS_TIME_H 1
+#define H5_HAVE_SYS_TYPES_H 1
+#define H5_HAVE_SYS_RESOURCE_H 1
+#define H5_HAVE_UNISTD_H 1
+#define H5_HAVE_VASPRINTF 1
+#define H5_HAVE_ASPRINTF 1
+#define H5_HAVE_ZLIB_H 1
+
+#define H5_SIZEOF_BOOL 1
+#define H5_SIZEOF_CHAR 1
+#define H5_SIZEOF_SHORT 2
+#define H5_SIZEOF_INT 4
+#define H5_SIZEOF_UNSIGNED 4
+#define H5_SIZEOF_LONG 4
+#define H5_SIZEOF_LONG_LONG 8
+#define H5_SIZEOF_FLOAT 4
+#define H5_SIZEOF_DOUBLE 8
+#define H5_SIZEOF_LONG_DOUBLE 16
+#define H5_SIZEOF__FLOAT16 0
+#define H5_SIZEOF_SIZE_T 4
+#define H5_SIZEOF_SSIZE_T 4
+#define H5_SIZEOF_PTRDIFF_T 4
+#define H5_SIZEOF_OFF_T 8
+#define H5_SIZEOF_TIME_T 8
+#define H5_SIZEOF_INT8_T 1
+#define H5_SIZEOF_INT16_T 2
+#define H5_SIZEOF_INT32_T 4
+#define H5_SIZEOF_INT64_T 8
+#define H5_SIZEOF_UINT8_T 1
+#define H5_SIZEOF_UINT16_T 2
+#define H5_SIZEOF_UINT32_T 4
+#define H5_SIZEOF_UINT64_T 8
+#define H5_SIZEOF_INT_LEAST8_T 1
+#define H5_SIZEOF_INT_LEAST16_T 2
+#define H5_SIZEOF_INT_LEAST32_T 4
+#define H5_SIZEOF_INT_LEAST64_T 8
+#define H5_SIZEOF_UINT_LEAST8_T 1
+#define H5_SIZEOF_UINT_LEAST16_T 2
+#define H5_SIZEOF_UINT_LEAST32_T 4
+#define H5_SIZEOF_UINT_LEAST64_T 8
+#define H5_SIZEOF_INT_FAST8_T 1
+#define H5_SIZEOF_INT_FAST16_T 4
+#define H5_SIZEOF_INT_FAST32_T 4
+#define H5_SIZEOF_INT_FAST64_T 8
+#define H5_SIZEOF_UINT_FAST8_T 1
+#define H5_SIZEOF_UINT_FAST16_T 4
+#define H5_SIZEOF_UINT_FAST32_T 4
+#define H5_SIZEOF_UINT_FAST64_T 8
+
+#define H5_DEFAULT_PLUGINDIR ""
+#define H5_DISABLE_SOME_LDOUBLE_CONV 1
+#define H5_IGNORE_DISABLED_FILE_LOCKS 1
+#define H5_LDOUBLE_TO_LLONG_ACCURATE 1
+#define H5_LLONG_TO_LDOUBLE_CORRECT 1
+#define H5_USE_114_API_DEFAULT 1
+#define H5_WANT_DATA_ACCURACY 1
+#define H5_WANT_DCONV_EXCEPTION 1
+
+// Nothing here raises flags of floating-point numbers.
+#ifndef FE_INVALID
+#define FE_INVALID 0
+#endif
+
+#define H5_PACKAGE_NAME "HDF5"
+#define H5_PACKAGE_VERSION "1.14.5"
+#define H5_VERSION "1.14.5"
+
+#endif
