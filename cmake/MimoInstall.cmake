@@ -10,6 +10,8 @@ install(DIRECTORY include/mimo DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MAT
 install(FILES interface/interface.json DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo)
 install(DIRECTORY models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo/models
         FILES_MATCHING PATTERN *.xml PATTERN *.png PATTERN *.md PATTERN art EXCLUDE)
+# What ./dev web has made, for mimo export --html.
+install(FILES ${PROJECT_BINARY_DIR}/web/recording.html DESTINATION ${CMAKE_INSTALL_DATADIR}/mimo/web OPTIONAL)
 if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
   install(FILES src/cli/mimo.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()

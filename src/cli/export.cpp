@@ -1,4 +1,4 @@
-// mimo export: a scene as a file for other programs.
+// mimo export: a scene or a recording as a file for other programs.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 #include "cli/adapter.h"
 #include "cli/commands.h"
 #include "cli/glb.h"
+#include "cli/page.h"
 #include "fmi/unit_file.h"
 #include "programs/files.h"
 #include "programs/joints.h"
@@ -44,9 +45,11 @@ constexpr const char* kOfWorlds[] = {
     "--body",   "--age",    "--physiological-age", "--sex",  "--percentile", "--z-length", "--z-weight",
     "--z-head", "--growth", "--actuation",         "--face", "--seed"};
 constexpr const char* kOfShapes[] = {"--seconds", "--segments"};
+constexpr const char* kOfPages[] = {"--page"};
 
 struct ExportOptions {
   UnitOptions unit;
+  PageOptions page;
   std::string gltf, fmu, recording;
   std::array<std::string, std::size(kOfPython)> of_python;
   double seconds = 0;
@@ -255,6 +258,17 @@ void export_unit(const ExportOptions& options, const CLI::App& command) {
   write_unit(options.fmu, options.unit, words, unit_adapter());
 }
 
+void export_page(const ExportOptions& options, const CLI::App& command) {
+  for (const CLI::Option* other : command.get_options()) {
+    const std::string name = other->get_name();
+    if (other->count() > 0 && name != "--html" && name != "--page" && name != "recording") {
+      throw Failure(name + " has no effect with --html, which writes a recording as it is");
+    }
+  }
+  if (options.recording.empty()) throw CLI::RequiredError("--html: the recording, FILE.h5,");
+  write_page(options.page, options.recording);
+}
+
 void export_scene(const ExportOptions& options, const CLI::App& command) {
   for (std::size_t i = 0; i < std::size(kOfPython); ++i) {
     const OfPython& it = kOfPython[i];
@@ -263,8 +277,10 @@ void export_scene(const ExportOptions& options, const CLI::App& command) {
                   "]', then python -m mimo.export " + it.option + ' ' + options.of_python[i] + ' ' +
                   (options.recording.empty() ? it.rest : options.recording));
   }
+  if (!options.page.out.empty()) return export_page(options, command);
+  refuse(command, kOfPages, options.fmu.empty() ? "--gltf" : "--fmu");
   if (!options.gltf.empty() && !options.fmu.empty()) throw Failure("--gltf and --fmu are two files; give one of them");
-  if (options.gltf.empty() && options.fmu.empty()) throw CLI::RequiredError("--gltf or --fmu");
+  if (options.gltf.empty() && options.fmu.empty()) throw CLI::RequiredError("--gltf, --fmu or --html");
   if (!options.recording.empty()) {
     throw Failure((options.fmu.empty() ? "--gltf" : "--fmu") + std::string(" writes a scene, not the recording ") +
                   options.recording);
@@ -298,6 +314,10 @@ std::string check_fmu(const std::string& path) {
   return has_ending(path, ".fmu") ? "" : "expected a name that ends in .fmu, not '" + path + "'";
 }
 
+std::string check_html(const std::string& path) {
+  return has_ending(path, ".html") ? "" : "expected a name that ends in .html, not '" + path + "'";
+}
+
 std::string check_segments(const std::string& text) {
   const auto& range = mimo::ranges::mesh::segments;
   if (count(range)(text).empty() && std::stoi(text) % 4 == 0) return "";
@@ -308,7 +328,7 @@ std::string check_segments(const std::string& text) {
 
 void add_export(CLI::App& program) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = program.add_subcommand("export", "Write a scene as a file for other programs");
+  CLI::App* command = program.add_subcommand("export", "Write a scene or a recording for other programs");
   add_scene_options(*command, options->unit.world);
   add_actuation_option(*command, options->unit.world);
   add_face_option(*command, options->unit.world);
@@ -320,7 +340,16 @@ void add_export(CLI::App& program) {
   command->add_option("--gltf", options->gltf, "glTF 2.0, with textures inside: Blender, Unity, Godot, three.js")
       ->type_name("FILE.glb")
       ->check(CLI::Validator(check_glb, ""));
-  command->add_option("recording", options->recording, "The recording that the Python package writes")
+  command
+      ->add_option("--html", options->page.out,
+                   "A page that plays a recording, with all that it needs inside; it opens\nfrom a disk")
+      ->type_name("FILE.html")
+      ->check(CLI::Validator(check_html, ""));
+  command
+      ->add_option("--page", options->page.without,
+                   "The page without a recording, which ./dev web makes. Default: that which is\nbeside the program")
+      ->type_name("FILE");
+  command->add_option("recording", options->recording, "The recording that --html or the Python package writes")
       ->type_name("FILE.h5");
   for (std::size_t i = 0; i < std::size(kOfPython); ++i) {
     const OfPython& it = kOfPython[i];
@@ -340,7 +369,8 @@ void add_export(CLI::App& program) {
       "are the unit. Lights, the sky and what MuJoCo does not draw are not in it. Actions are the inputs of a unit of\n"
       "FMI; rewards and the fields of --outputs are its outputs.\n"
       "Examples:\n"
-      "  mimo export --scene showroom --seconds 5 --gltf infant.glb");
+      "  mimo export --scene showroom --seconds 5 --gltf infant.glb\n"
+      "  mimo export --html run.html run.h5");
   command->callback([options, command] { export_scene(*options, *command); });
 }
 

@@ -1,5 +1,9 @@
 """`mimo export --gltf`: the file is read here as glTF 2.0's specification says, and by Khronos' validator where that is
-installed (npm install gltf-validator; its folder node_modules in NODE_PATH)."""
+installed (npm install gltf-validator; its folder node_modules in NODE_PATH).
+
+`mimo export --html`: the recording is taken out of the page again."""
+import base64
+import html.parser
 import json
 import math
 import shutil
@@ -7,7 +11,7 @@ import struct
 import subprocess
 import unittest
 
-from program import COUNTS, Case, read_png
+from program import COUNTS, Case, needs_hdf5, read_png
 
 WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 VALIDATE = """const validator = require("gltf-validator"), file = require("fs").readFileSync(process.argv[1]);
@@ -39,6 +43,25 @@ class Glb:
 
     def node(self, name):
         return next(node for node in self.json["nodes"] if node["name"] == name and "mesh" not in node)
+
+
+class Page(html.parser.HTMLParser):
+    """The elements of a page, and what its script has."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.tags, self.script, self.text = [], {}, ""
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        self.tags.append(tag)
+        if tag == "script":
+            self.script = dict(attrs)
+
+    def handle_data(self, data):
+        if self.tags[-1] == "script":
+            self.text = self.text or data
 
 
 def cross(a, b):
@@ -158,6 +181,38 @@ class Export(Case):
         path = str(self.folder / "a.glb")
         report = json.loads(subprocess.run([node, "-e", VALIDATE, path], capture_output=True, check=True).stdout)
         self.assertEqual((report["numErrors"], report["numWarnings"]), (0, 0), report["messages"][:5])
+
+    @needs_hdf5
+    def test_a_page_holds_the_recording(self):
+        self.mimo("record", "--seconds", "0.1", "--out", 'a "b" & <c>.h5')
+        self.write("page.html", "<p>before</p><!-- recording --><p>behind</p>")
+        self.mimo("export", "--html", "run.html", "--page", "page.html", 'a "b" & <c>.h5')
+        page = Page((self.folder / "run.html").read_text())
+        self.assertEqual(page.tags, ["p", "script", "p"])
+        self.assertEqual(page.script["data-name"], 'a "b" & <c>.h5')
+        recording = (self.folder / 'a "b" & <c>.h5').read_bytes()
+        self.assertEqual(base64.b64decode(page.text, validate=True), recording)
+
+    @needs_hdf5
+    def test_what_a_page_cannot_play_writes_nothing(self):
+        self.mimo("record", "--seconds", "0.1", "--out", "run.h5")
+        self.write("page.html", "<!-- recording -->")
+        self.write("other.html", "<p>")
+        there = self.files()
+        for given, told in (
+            (["run.h5", "--page", "other.html"], "other.html is not the page that ./dev web makes for recordings"),
+            (["run.h5", "--page", "no.html"], "cannot read no.html"),
+            (["other.html", "--page", "page.html"], "other.html is not a recording"),
+            (["no.h5", "--page", "page.html"], "cannot read no.h5"),
+            (["run.h5", "--page", "page.html", "--scene", "reach"], "--scene has no effect with --html"),
+            (["run.h5", "--page", "page.html", "--gltf", "a.glb"], "--gltf has no effect with --html"),
+        ):
+            self.assertIn(told, self.mimo("export", "--html", "run.html", *given, code=1))
+        self.assertIn("the recording", self.mimo("export", "--html", "run.html", code=2))
+        self.assertIn("ends in .html", self.mimo("export", "--html", "run.h5", "run.h5", code=2))
+        self.assertIn("--page has no effect with --gltf",
+                      self.mimo("export", "--gltf", "a.glb", "--page", "page.html", code=1))
+        self.assertEqual(self.files(), there)
 
     def test_usd_is_the_python_package_s(self):
         told = self.mimo("export", "--usd", "infant.usda", code=1)

@@ -32,6 +32,10 @@ def can_load(*names):
 
 needs_renderer = unittest.skipUnless(can_load("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"),
                                      "OSMesa is not installed")
+# As src/recording/hdf5.cpp looks for it.
+needs_hdf5 = unittest.skipUnless(can_load("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310",
+                                          "libhdf5.so.310", "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so",
+                                          "libhdf5.so"), "HDF5 is not installed")
 
 
 def read_png(path):

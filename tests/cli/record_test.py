@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from program import PROGRAM, SOURCES, Case, can_load
+from program import PROGRAM, SOURCES, Case, needs_hdf5
 
 try:
     import h5py
@@ -21,10 +21,7 @@ except ImportError:
 needs_h5py = unittest.skipUnless(h5py, "h5py is not installed")
 
 
-# As src/recording/hdf5.cpp looks for it.
-@unittest.skipUnless(can_load("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310",
-                              "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"),
-                     "HDF5 is not installed")
+@needs_hdf5
 class Record(Case):
     def record(self, *arguments):
         return self.mimo("record", "--out", "run.h5", "--touch", "off", *arguments)

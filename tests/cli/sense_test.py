@@ -7,7 +7,7 @@ import os
 import shutil
 import unittest
 
-from program import BENCH, Case, can_load
+from program import BENCH, Case, needs_hdf5
 
 SENSE, OTHER_VERSION = os.environ["MIMO_OWN_SENSE"], os.environ["MIMO_OTHER_SENSE"]
 BLIND = ("--vision", "off", "--touch", "off")
@@ -80,9 +80,7 @@ class Sense(Case):
         result = json.loads(self.run_program(BENCH, "--json", "--sense", SENSE, "--steps", "20", *BLIND))
         self.assertIn(result["allocations_per_step"], (0, None))
 
-    @unittest.skipUnless(can_load("libhdf5_serial.so.103", "libhdf5.so.103", "libhdf5_serial.so.310", "libhdf5.so.310",
-                                  "libhdf5.so.200", "libhdf5.so.320", "libhdf5_serial.so", "libhdf5.so"),
-                         "HDF5 is not installed")
+    @needs_hdf5
     def test_a_recording_is_replayed_with_the_sense_and_never_loads_it(self):
         self.mimo("record", "--scene", "free", "--sense", SENSE, "--parameter", "ticks/gain=3", "--keep", "all", "--touch",
                   "off", "--seconds", "0.5", "--out", "run.h5")
@@ -96,6 +94,10 @@ class Sense(Case):
         self.assertIs(json.loads(self.mimo("replay", "again.h5", "--json", "--sense", SENSE))["identical"], True)
         self.assertIn("--parameter: run.h5 holds its world itself",
                       self.mimo("replay", "run.h5", "--sense", SENSE, "--parameter", "ticks/gain=1", code=1))
+        self.write("page.html", "<!-- recording -->")
+        said = self.mimo("export", "--html", "run.html", "--page", "page.html", "run.h5", code=1)
+        self.assertIn("run.h5 has a sense of its own, 'ticks', whose library a browser cannot load", said)
+        self.assertNotIn("run.html", self.files())
         self.mimo("record", "--scene", "free", "--touch", "off", "--seconds", "0.1", "--out", "plain.h5")
         self.assertIn('no sense "ticks" of its own; it has: none', self.mimo("replay", "plain.h5", "--sense", SENSE, code=1))
 
