@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
@@ -13,6 +14,13 @@ namespace mimo {
 namespace {
 
 constexpr std::size_t kLeastStack = 512 * 1024;
+
+// Without threads, Emscripten's pthread_create reports that the system has none left.
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+constexpr bool kHasThreads = false;
+#else
+constexpr bool kHasThreads = true;
+#endif
 
 // The default is the limit of the shell that the host was started from, which may be anything.
 class Attributes {
@@ -45,6 +53,7 @@ void stay_awake(Ready&& ready) {
 }  // namespace
 
 Thread::Thread(Run run, void* argument) {
+  if (!kHasThreads) fail(Status::kUnsupported, "this build of the library has no threads besides the caller's");
   const Attributes attributes;
   const SignalsBlocked signals;  // a new thread inherits the mask of the one that starts it
   const int error = pthread_create(&thread_, attributes.get(), run, argument);
@@ -88,7 +97,8 @@ void Pool::add_worker() {
     workers_.back()->thread.emplace(live, workers_.back().get());
   } catch (const Error& error) {
     workers_.pop_back();
-    fail(error.status(), "thread {} of {} cannot be started, ask for fewer: {}", number + 1, threads_, error.message());
+    const std::string_view advice = kHasThreads ? ", ask for fewer" : "";
+    fail(error.status(), "thread {} of {} cannot be started{}: {}", number + 1, threads_, advice, error.message());
   }
 }
 

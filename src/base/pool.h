@@ -24,7 +24,8 @@ class Thread {
  public:
   using Run = void* (*)(void* argument);
 
-  // Throws Status::kOutOfMemory when the system has no thread to give.
+  // Throws Status::kOutOfMemory when the system has no thread to give, Status::kUnsupported where the library is built
+  // without threads.
   Thread(Run run, void* argument);
   ~Thread() { pthread_join(thread_, nullptr); }
   Thread(const Thread&) = delete;
