@@ -1,6 +1,6 @@
 /* steps COUNT [fields] [SCENE...]: steps worlds in which infants have every sense, and prints the SHA-256 of all blocks
- * after 100, 1000, ... and COUNT steps of each scene. docs/guide/reproducibility.md says where these are the same;
- * ./dev test --same compares. With "fields" it also prints a hash for each field, which shows what differs.
+ * so far after 100, 1000, 2000, ... and COUNT steps of each scene. docs/guide/reproducibility.md says where these are
+ * the same; ./dev test --same compares. With "fields" it also prints a hash for each field, which shows what differs.
  */
 #include "support/capi.h"
 
@@ -149,19 +149,18 @@ static void play(const char* name, long steps, int with_fields) {
   float* actions = malloc(count * sizeof *actions);
   uint64_t random = 7;
   sha256 all = sha256_start();
-  long step, told = 100;
+  long step;
   size_t i;
   CHECK_OK(mimo_env_reset(env, SEED(7), block, bytes));
   for (step = 0; step <= steps; ++step) {
     uint8_t terminated[2] = {0}, truncated[2] = {0};
     sha256_add(&all, block, bytes);
     for (i = 0; i < fields && with_fields; ++i) sha256_add(&parts[i].hash, block + parts[i].offset, parts[i].bytes);
-    if (step == told || step == steps) {
+    if (step == 100 || (step > 0 && step % 1000 == 0) || step == steps) {
       printf("%s %ld ", name, step);
       sha256_print(&all);
       printf("\n");
       fflush(stdout);
-      if (step == told) told *= 10;
     }
     if (step == steps) break;
     for (i = 0; i < count; ++i) actions[i] = next_action(&random);
