@@ -94,12 +94,17 @@ static void accept(const char* name, mimo_agent_config* infant, uint32_t* member
   }
 }
 
+/* In "reach" the infant has six months: its body has grown from that of 18 months, which the other scenes have. */
 static mimo_env* make(const char* name) {
   mimo_scene* scene = NULL;
   mimo_agent_config infant;
+  mimo_growth growth;
   mimo_env* env = NULL;
   CHECK_OK(mimo_scene_create(SIZED(mimo_scene_config, .name = name), &scene));
   CHECK_OK(mimo_scene_default_agent(scene, &infant, sizeof infant));
+  CHECK_OK(mimo_growth_init(&growth, sizeof growth));
+  growth.age = 6;
+  if (strcmp(name, "reach") == 0) infant.growth = &growth;
   infant.vision_width = infant.vision_height = SIDE;
   infant.voice = 1;
   accept(name, &infant, &infant.proprioception);
