@@ -26,7 +26,7 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/lib)
 # Numbers must not depend on which multiplications a compiler happens to fuse.
 add_compile_options(-ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
-  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/unfused_arm.h>")
+  add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include \"${PROJECT_SOURCE_DIR}/cmake/unfused_arm.h\">")
 elseif(EMSCRIPTEN)
   # Eigen knows no vectors of WebAssembly, and without vectors it adds in another order than on x86-64. Emscripten
   # translates SSE2. Eigen then also includes the compiler's own header for MMX, which is for x86 only and empty under
