@@ -25,6 +25,7 @@ BY_HAND = (
     r"|mimo_batch_(get|get_float|set|world|world_error|size)"
     r"|mimo_(recorder|recording)_.*"
     r"|mimo_scene_(name|xml|set_task|add_field|set_maturity|default_agent|add_agents?)|mimo_layout_.*"
+    r"|mimo_stage_(update|draw)"
 )
 # Lengths of arrays that come without one.
 FIXED = {"pose": 7, "place": 3, "axis": 3, "point": 3, "errors": 2}

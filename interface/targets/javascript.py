@@ -5,6 +5,7 @@ from __future__ import annotations
 from targets import _javascript_methods, _wasm32
 from targets._javascript_methods import unreached
 from targets._javascript_words import NOTICE, NUMBERS, Words, base, camel, comment, is_switch, listed, number, pascal
+from targets._stage_parts import PARTS, arrays
 
 FOLDER = "bindings/javascript/src/generated"
 # Switches that programs do not see: they are on where the other member is given.
@@ -44,7 +45,8 @@ def used(api) -> list:
 
 STRUCTS = """
 /**
- * Where the members of each struct lie: [kind, offset], and how many numbers it has if it is an array.
+ * Where the members of each struct lie: [kind, offset]; of an array in the struct, how many numbers it has; of the
+ * address of one, how many numbers an element has, and the member with the number of elements.
  * @type {{Record<string, import("../structs.js").Layout>}}
  */
 export const structs = {{
@@ -65,6 +67,22 @@ def kind_of(api, member) -> str:
     return "pointer"
 
 
+def columns(struct) -> dict:
+    """The arrays that a stage's part points to: numbers of an element, and the member with the number of elements."""
+    return {one.name: (width, length) for one, length, width in arrays(struct)} if struct.name in PARTS else {}
+
+
+def row_of(api, struct, member, offset) -> str:
+    shared = columns(struct)
+    if member.name in shared:
+        width, length = shared[member.name]
+        return f'["{number(api, base(member.type))}", {offset}, {width}, "{camel(length)}"]'
+    if any(member.name == length for _, length in shared.values()):
+        return f'["length", {offset}]'
+    array = f", {member.array}" if member.array else ""
+    return f'["{kind_of(api, member)}", {offset}{array}]'
+
+
 def structs(api) -> str:
     rows = []
     for struct in used(api):
@@ -72,8 +90,7 @@ def structs(api) -> str:
         members = []
         for member, offset in zip(struct.members, offsets, strict=True):
             if member in listed(struct):
-                array = f", {member.array}" if member.array else ""
-                members.append(f'      {camel(member.name)}: ["{kind_of(api, member)}", {offset}{array}],')
+                members.append(f"      {camel(member.name)}: {row_of(api, struct, member, offset)},")
         init = f'init: "{struct.init}"' if struct.init else 'init: ""'
         rows += [f"  {struct.name}: {{", f"    size: {size},", f"    {init},"]
         rows += ["    members: {", *members, "    },"]
@@ -110,8 +127,13 @@ def described(constant) -> str:
 # ---- types.js ------------------------------------------------------------------------------------------------
 
 
-def type_of(words, member) -> str | None:
+def type_of(words, struct, member) -> str | None:
     """The type of a member in TypeScript; None for what methods take and give in another way."""
+    shared = columns(struct)
+    if member.name in shared:
+        return "ArrayLike<number> | null"
+    if any(member.name == length for _, length in shared.values()):
+        return None
     kind = kind_of(words.api, member)
     if kind in ("pointer",):
         return None
@@ -131,7 +153,7 @@ def types(words) -> str:
     for struct in used(words.api):
         rows = []
         for member in listed(struct):
-            kind = type_of(words, member)
+            kind = type_of(words, struct, member)
             if kind is None or (struct.name, member.name) in IMPLIED:
                 continue
             doc = " ".join(words.of_member(member).split())

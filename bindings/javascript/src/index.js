@@ -9,6 +9,7 @@ export { load } from "./memory.js";
 export { Named } from "./named.js";
 export { Recorder, Recording } from "./recording.js";
 export { maturityAt, Scene } from "./scene.js";
+export { Stage } from "./stage.js";
 export { World } from "./world.js";
 
 /**
@@ -17,6 +18,10 @@ export { World } from "./world.js";
  * @typedef {import("./generated/types.js").Growth} Growth
  * @typedef {import("./generated/types.js").Maturity} Maturity
  * @typedef {import("./layout.js").Field} Field
+ * @typedef {import("./stage.js").StageParts} StageParts
+ * @typedef {import("./stage.js").StagePicture} StagePicture
+ * @typedef {import("./stage.js").StagePoses} StagePoses
+ * @typedef {import("./stage.js").StageView} StageView
  * @typedef {import("./task.js").Task} Task
  * @typedef {import("./task.js").Moment} Moment
  * @typedef {import("./task.js").Verdict} Verdict

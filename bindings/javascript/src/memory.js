@@ -15,6 +15,8 @@ const ARRAYS = {
   f64: Float64Array,
   size: Uint32Array,
 };
+/** @type {Record<string, [number, number]>} */
+const RANGES = { u8: [0, 255], i32: [-(2 ** 31), 2 ** 31 - 1], u32: [0, 2 ** 32 - 1], size: [0, 2 ** 32 - 1] };
 const SCRATCH = 1 << 16;
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
@@ -351,18 +353,20 @@ export class Frame {
  * @param {ArrayLike<number | bigint | boolean>} values
  */
 export function fill(to, kind, name, values) {
-  if (ArrayBuffer.isView(values) && kind !== "u64" && !(values instanceof BigUint64Array)) {
+  const real = kind === "f32" || kind === "f64";
+  if (ArrayBuffer.isView(values) && (real ? !(values instanceof BigUint64Array) : values.constructor === ARRAYS[kind])) {
     to.set(values);
     return;
   }
+  const [low, high] = RANGES[kind] ?? [];
   for (let i = 0; i < values.length; i++) {
     const value = values[i];
     if (kind === "u64") {
       to[i] = whole64(`${name}[${i}]`, value);
-    } else if (kind === "f32" || kind === "f64") {
+    } else if (real) {
       to[i] = number(`${name}[${i}]`, value);
     } else {
-      to[i] = integer(`${name}[${i}]`, typeof value === "boolean" ? Number(value) : value);
+      to[i] = integer(`${name}[${i}]`, typeof value === "boolean" ? Number(value) : value, low, high);
     }
   }
 }

@@ -2,6 +2,9 @@
 import { structs } from "./generated/structs.js";
 import { data, fill, integer, number, shown, textAt, view, whole64 } from "./memory.js";
 
+/** Members that programs do not see: addresses, and lengths that follow from arrays. */
+const HIDDEN = ["pointer", "length"];
+
 /**
  * @typedef {object} Layout
  * @property {number} size bytes
@@ -27,15 +30,40 @@ export function writeStruct(frame, struct, at, options) {
   if (typeof options !== "object" || Array.isArray(options)) {
     throw new TypeError(`options are ${shown(options)}, expected an object`);
   }
+  /** @type {Lengths} */
+  const lengths = {};
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined) continue;
-    if (!Object.hasOwn(members, name) || Object.values(implied).includes(name)) {
-      const known = Object.keys(members).filter((one) => !Object.values(implied).includes(one) && members[one][0] !== "pointer");
+    if (!Object.hasOwn(members, name) || members[name][0] === "length" || Object.values(implied).includes(name)) {
+      const known = Object.keys(members).filter((one) => !Object.values(implied).includes(one) && !HIDDEN.includes(members[one][0]));
       throw new TypeError(`there is no option ${name}; there are ${known.join(", ")}`);
     }
-    writeMember(frame, at, name, members[name], value);
+    if (members[name].length === 4) writeArray(frame, at, name, members, value, lengths);
+    else writeMember(frame, at, name, members[name], value);
     if (implied[name]) writeMember(frame, at, implied[name], members[implied[name]], true);
   }
+}
+
+/**
+ * Writes numbers of an array, its address and its length, which several arrays share.
+ * @typedef {Record<string, [string, number]>} Lengths the first array of each length, and how many elements it has
+ * @param {import("./memory.js").Frame} frame
+ * @param {number} at
+ * @param {string} name
+ * @param {Record<string, any[]>} members
+ * @param {any} value null: none
+ * @param {Lengths} lengths
+ */
+function writeArray(frame, at, name, members, value, lengths) {
+  if (value === null) return;
+  const [kind, offset, width, length] = members[name];
+  const pointer = frame.array(kind, name, value);
+  if (value.length % width !== 0) throw new RangeError(`${name} has ${value.length} numbers, expected a multiple of ${width}`);
+  const count = value.length / width;
+  const [first, expected] = (lengths[length] ??= [name, count]);
+  if (count !== expected) throw new RangeError(`${name} has ${count} elements, expected ${expected}, as ${first}`);
+  data().setUint32(at + offset, pointer, true);
+  data().setUint32(at + members[length][1], count, true);
 }
 
 /**
@@ -102,9 +130,9 @@ export function readStruct(struct, at) {
  * @param {number} at
  * @param {any[]} member
  */
-function readMember(at, [kind, offset, length]) {
+function readMember(at, [kind, offset, length, shared]) {
   const place = at + offset;
-  if (kind === "pointer") return undefined;
+  if (HIDDEN.includes(kind) || shared) return undefined;
   if (kind === "text") return textAt(data().getUint32(place, true));
   if (kind === "switch") return data().getUint32(place, true) !== 0;
   if (kind === "flags") return data().getUint32(place, true);

@@ -546,6 +546,265 @@
  */
 
 /**
+ * Shapes: geoms, or sites. A shape whose form is none of Form is not drawn, and the log tells so once. Sizes are
+ * finite and not negative.
+ *
+ * Experimental.
+ * @typedef {object} StageShapes
+ * @property {number} [objectType] What segmentation gives as their type, for example MuJoCo's 5 (geom) or 6
+ * (site).
+ * @property {ArrayLike<number> | null} [forms] count: Form constants.
+ * @property {ArrayLike<number> | null} [sizes] count x 3, m.
+ * @property {ArrayLike<number> | null} [colors] count x 4: red, green, blue, opacity, 0 to 1. As in MuJoCo,
+ * exactly .5 .5 .5 1 stands for the material's colour.
+ * @property {ArrayLike<number> | null} [materials] count: a material or -1; unless set: none.
+ * @property {ArrayLike<number> | null} [groups] count: groups 0 to 5, which views show or hide; less is 0, more is
+ * 5. Unless set: all 0.
+ * @property {ArrayLike<number> | null} [data] count: the mesh or height field of shapes that have one; null where
+ * none has.
+ */
+
+/**
+ * Triangle meshes, one after the other in each array, in the frames of the shapes that show them. Corners of a
+ * triangle go counter-clockwise, seen from outside.
+ *
+ * Experimental.
+ * @typedef {object} StageMeshes
+ * @property {ArrayLike<number> | null} [vertexCounts] count: vertices of each mesh.
+ * @property {ArrayLike<number> | null} [normalCounts] count: normals of each mesh, 0 for none: they then follow
+ * from the triangles. Unless set: none has any.
+ * @property {ArrayLike<number> | null} [texcoordCounts] count: texture coordinates of each mesh, 0 for none.
+ * Unless set: none has any.
+ * @property {ArrayLike<number> | null} [triangleCounts] count: triangles of each mesh.
+ * @property {ArrayLike<number> | null} [vertices] vertex_total x 3, m.
+ * @property {ArrayLike<number> | null} [normals] normal_total x 3.
+ * @property {ArrayLike<number> | null} [texcoords] texcoord_total x 2; (0, 0) is the start of the texture's first
+ * row.
+ * @property {ArrayLike<number> | null} [triangles] triangle_total x 3 vertices, each counted from its mesh's
+ * first.
+ * @property {ArrayLike<number> | null} [normalTriangles] triangle_total x 3 normals, likewise; unless set: as
+ * triangles.
+ * @property {ArrayLike<number> | null} [texcoordTriangles] triangle_total x 3 texture coordinates, likewise;
+ * unless set: as triangles.
+ */
+
+/**
+ * Height fields: a grid of heights over a rectangle, with walls and a bottom.
+ *
+ * Experimental.
+ * @typedef {object} StageFields
+ * @property {ArrayLike<number> | null} [rows] count: rows of each, along y, at least 2.
+ * @property {ArrayLike<number> | null} [columns] count: columns of each, along x, at least 2.
+ * @property {ArrayLike<number> | null} [sizes] count x 4, m: half sides along x and y, height of a 1, thickness
+ * below 0.
+ * @property {ArrayLike<number> | null} [heights] height_total: rows x columns of each field, one field after the
+ * other.
+ */
+
+/**
+ * Textures. The first one of type TextureType.SKY is the sky.
+ *
+ * Experimental.
+ * @typedef {object} StageTextures
+ * @property {ArrayLike<number> | null} [types] count: TextureType constants.
+ * @property {ArrayLike<number> | null} [widths] count: pixels, at least 1.
+ * @property {ArrayLike<number> | null} [heights] count: pixels, at least 1; of a cube or sky the width (one
+ * picture for all six sides) or six times the width (right, left, up, down, front, back).
+ * @property {ArrayLike<number> | null} [channels] count: bytes of a pixel: 1 or 2 (grey first), 3 or 4 (red,
+ * green, blue). Unless set: 3.
+ * @property {ArrayLike<number> | null} [pixels] pixel_bytes: row after row, one texture after the other.
+ */
+
+/**
+ * Materials. Numbers are 0 to 1 where nothing else is said.
+ *
+ * Experimental.
+ * @typedef {object} StageMaterials
+ * @property {number} [fromCorner] Where a flat texture begins on a shape without texture coordinates. 0: in the
+ * middle, as up to MuJoCo 3.11. 1: at the end of -x and +y, except on endless planes, as from MuJoCo 3.12 on.
+ * @property {ArrayLike<number> | null} [colors] count x 4: red, green, blue, opacity; multiplied with the texture.
+ * @property {ArrayLike<number> | null} [emission] count: share of its colour that it emits; unless set: 0.
+ * @property {ArrayLike<number> | null} [specular] count: strength of highlights; unless set: .5.
+ * @property {ArrayLike<number> | null} [shininess] count: their sharpness, Phong's exponent over 128; unless set:
+ * .5.
+ * @property {ArrayLike<number> | null} [reflectance] count: share of light that it mirrors; the first opaque plane
+ * or box that has some is the picture's one mirror, with its upper side. Unless set: 0.
+ * @property {ArrayLike<number> | null} [textures] count: a texture or -1; unless set: none.
+ * @property {ArrayLike<number> | null} [repeats] count x 2: how often a flat texture repeats along x and y; unless
+ * set: 1.
+ * @property {ArrayLike<number> | null} [uniform] count: 1: repeats (and cubes) are per metre, 0: per shape; unless
+ * set: 0.
+ */
+
+/**
+ * Surfaces whose vertices move: skins, cloth, soft bodies, ropes. Normals follow from the triangles. Vertices are
+ * in the world's frame.
+ *
+ * Experimental.
+ * @typedef {object} StageSurfaces
+ * @property {ArrayLike<number> | null} [vertexCounts] count: vertices of each.
+ * @property {ArrayLike<number> | null} [elementCounts] count: triangles of each, or rods.
+ * @property {ArrayLike<number> | null} [corners] count: 3: its elements are triangles; 2: rods between two
+ * vertices, whose ends are round. Unless set: 3.
+ * @property {ArrayLike<number> | null} [texcoordCounts] count: texture coordinates of each, 0 for none. Unless
+ * set: none has any.
+ * @property {ArrayLike<number> | null} [vertices] vertex_total x 3, m: where they lie at rest; finite. Poses give
+ * where they are; these settle how rays look for the triangles.
+ * @property {ArrayLike<number> | null} [elements] element_length vertices, corners of them for each element,
+ * counted from its surface's first. Triangles go counter-clockwise, seen from outside.
+ * @property {ArrayLike<number> | null} [texcoordElements] element_length texture coordinates, likewise; unless
+ * set: as elements.
+ * @property {ArrayLike<number> | null} [texcoords] texcoord_total x 2.
+ * @property {ArrayLike<number> | null} [radii] count: m, finite, not negative: radius of rods; triangles are drawn
+ * so far outside of their vertices. Unless set: 0.
+ * @property {ArrayLike<number> | null} [sheets] count: 1: it has two sides, so far apart as twice its radius, and
+ * an edge between; 0: it is closed. Unless set: 0.
+ * @property {ArrayLike<number> | null} [flat] count: 1: each triangle has one normal; 0: they are smoothed. Unless
+ * set: 0.
+ * @property {ArrayLike<number> | null} [colors] count x 4, as of shapes.
+ * @property {ArrayLike<number> | null} [materials] count: a material or -1; unless set: none.
+ * @property {ArrayLike<number> | null} [groups] count, as of shapes.
+ * @property {ArrayLike<number> | null} [objects] count x 2: what segmentation gives, id and type; unless set: its
+ * number and 0.
+ */
+
+/**
+ * Tendons: strings along paths that poses give.
+ *
+ * Experimental.
+ * @typedef {object} StageTendons
+ * @property {number} [objectType] What segmentation gives as their type, for example MuJoCo's 18.
+ * @property {ArrayLike<number> | null} [widths] count: their radii, m; half of that where they wrap around
+ * something.
+ * @property {ArrayLike<number> | null} [colors] count x 4, as of shapes.
+ * @property {ArrayLike<number> | null} [materials] count: a material or -1; unless set: none.
+ * @property {ArrayLike<number> | null} [groups] count, as of shapes.
+ */
+
+/**
+ * Lights, by MuJoCo's model: ambient and diffuse parts, and highlights after Phong. A view shows eight, the
+ * headlight among them; the log tells once of more. A light of another type does not shine, and the log tells so
+ * once.
+ *
+ * Experimental.
+ * @typedef {object} StageLights
+ * @property {ArrayLike<number> | null} [types] count: Lamp constants.
+ * @property {ArrayLike<number> | null} [active] count: 1: it is on; unless set: all are.
+ * @property {ArrayLike<number> | null} [castsShadow] count: 1: it casts shadows; unless set: all do.
+ * @property {ArrayLike<number> | null} [ambient] count x 3: red, green, blue; unless set: 0.
+ * @property {ArrayLike<number> | null} [diffuse] count x 3; unless set: .7.
+ * @property {ArrayLike<number> | null} [specular] count x 3; unless set: .3.
+ * @property {ArrayLike<number> | null} [attenuation] count x 3: strength at d metres is divided by a0 + a1 d + a2
+ * d^2; unless set: 1 0 0.
+ * @property {ArrayLike<number> | null} [cutoff] count: half angle of the cone, degrees; 180: all directions.
+ * Unless set: 45.
+ * @property {ArrayLike<number> | null} [exponent] count: concentration towards the middle of the cone; unless set:
+ * 10.
+ */
+
+/**
+ * What a stage is in: how near and far its cameras see, haze and fog, and the light that every camera carries.
+ *
+ * Experimental.
+ * @typedef {object} StageAir
+ * @property {boolean} [headlight] true: the camera carries a light. Default 1.
+ * @property {number} [nearPlane] m, > 0: nothing nearer is drawn. Default .01.
+ * @property {number} [farPlane] m, > near_plane: nothing farther is drawn. Default 50.
+ * @property {number} [fogStart] m: where fog begins. Default 3.
+ * @property {number} [fogEnd] m: where nothing else is seen. Default 10.
+ * @property {number} [haze] Height of the haze at the horizon, a share of the sky, 0 to 1. Default .3.
+ * @property {ArrayLike<number>} [fogColor] Red, green, blue. Default black.
+ * @property {ArrayLike<number>} [hazeColor] Likewise. Default white.
+ * @property {ArrayLike<number>} [ambient] Of the headlight. Default .1.
+ * @property {ArrayLike<number>} [diffuse] Likewise. Default .4.
+ * @property {ArrayLike<number>} [specular] Likewise. Default .5.
+ * @property {number} [sunReach] m: lights of parallel rays let things cast shadows that are in front of their
+ * position and no farther from their axis, to each side, as the shadow maps of MuJoCo's OpenGL do; 0 (default):
+ * all things.
+ */
+
+/**
+ * What a stage is made of. A part that is null has no elements; air then has its defaults.
+ *
+ * Experimental.
+ * @typedef {object} StageConfig
+ * @property {number} [threads] That draw, the caller's among them, 1 to 256; 0: 1.
+ * @property {StageShapes} [geoms] Shapes.
+ * @property {StageShapes} [sites] Further shapes, that poses move apart.
+ * @property {StageMeshes} [meshes] Meshes.
+ * @property {StageFields} [fields] Height fields.
+ * @property {StageTextures} [textures] Textures.
+ * @property {StageMaterials} [materials] Materials.
+ * @property {StageSurfaces} [surfaces] Surfaces.
+ * @property {StageTendons} [tendons] Tendons.
+ * @property {StageLights} [lights] Lights.
+ * @property {StageAir} [air] The rest.
+ */
+
+/**
+ * Where all things are. Arrays are read during the call only; those of MuJoCo's mjData fit as they lie (geom_xpos,
+ * geom_xmat, light_xdir, flexvert_xpos, wrap_xpos, ...). Numbers are finite. A count that is 0 is fine where the
+ * stage has none of it, or where none of it is to be drawn: a stage with sites need not be given their places.
+ *
+ * Experimental.
+ * @typedef {object} StagePoses
+ * @property {ArrayLike<number> | null} [geomPositions] geom_count x 3, m.
+ * @property {ArrayLike<number> | null} [geomRotations] geom_count x 9, from the shape's frame to the world's; or
+ * null, and:
+ * @property {ArrayLike<number> | null} [geomQuaternions] geom_count x 4: w x y z of length 1.
+ * @property {ArrayLike<number> | null} [sitePositions] site_count x 3, m.
+ * @property {ArrayLike<number> | null} [siteRotations] site_count x 9, as of geoms.
+ * @property {ArrayLike<number> | null} [siteQuaternions] site_count x 4, as of geoms.
+ * @property {ArrayLike<number> | null} [lightPositions] light_count x 3, m.
+ * @property {ArrayLike<number> | null} [lightDirections] light_count x 3: where they shine to, of length 1.
+ * @property {ArrayLike<number> | null} [vertices] vertex_count x 3, m: of all surfaces, one after the other.
+ * @property {ArrayLike<number> | null} [tendonFirst] tendon_count: the first point of each path.
+ * @property {ArrayLike<number> | null} [tendonPoints] tendon_count: how many points it has; 0 for none.
+ * @property {ArrayLike<number> | null} [pathPoints] path_count x 3, m.
+ * @property {ArrayLike<number> | null} [pathObjects] path_count: -2: a pulley, where the path is interrupted; two
+ * points side by side with 0 or more: it wraps around something between them. Unless set: all -1.
+ * @property {ArrayLike<number> | null} [extraForms] extra_count: Form constants but field, mesh and distance.
+ * @property {ArrayLike<number> | null} [extraSizes] extra_count x 3, m.
+ * @property {ArrayLike<number> | null} [extraPositions] extra_count x 3, m.
+ * @property {ArrayLike<number> | null} [extraRotations] extra_count x 9.
+ * @property {ArrayLike<number> | null} [extraColors] extra_count x 4, as of shapes.
+ * @property {ArrayLike<number> | null} [extraMaterials] extra_count: a material or -1; unless set: none.
+ * @property {ArrayLike<number> | null} [extraObjects] extra_count x 2: what segmentation gives, id and type;
+ * unless set: -1 -1.
+ */
+
+/**
+ * A picture: from where, how, and into which buffers. A part whose buffer is null is not drawn. Strides are the
+ * distance from one row to the next, at least a row; 0: a row.
+ *
+ * Experimental.
+ * @typedef {object} StageView
+ * @property {number} [pose] Which of the poses it shows. Default 0.
+ * @property {number} [width] Pixels, 1 to 16384. Default 320.
+ * @property {number} [height] Pixels, 1 to 16384. Default 240.
+ * @property {number} [render] Render bits. Default: all but fog.
+ * @property {number} [samples] Rays per pixel of colours: 1, 4, 16 or 64; 0 (default): 1. Depth and segmentation
+ * are those of the middle of the pixel.
+ * @property {number} [geomGroups] Bit n: geoms of group n are shown. Default 0x7: groups 0, 1 and 2.
+ * @property {number} [siteGroups] Likewise. Default 0x7.
+ * @property {number} [surfaceGroups] Likewise. Default 0x7.
+ * @property {number} [tendonGroups] Likewise. Default 0x7.
+ * @property {number} [fovy] Vertical field of view, degrees, > 0 and < 180. Default 45.
+ * @property {number} [focalX] Focal length along x, pixels, > 0; 0 (default): fovy counts.
+ * @property {number} [focalY] Likewise along y.
+ * @property {number} [centerX] With focal lengths: the principal point, pixels from the left edge.
+ * @property {number} [centerY] Likewise from the upper edge.
+ * @property {number} [rgbBytes] Length of rgb.
+ * @property {number} [rgbStride] Bytes.
+ * @property {number} [depthCount] Length of depth.
+ * @property {number} [depthStride] Numbers.
+ * @property {number} [segmentationCount] Length of segmentation.
+ * @property {number} [segmentationStride] Numbers.
+ * @property {number} [orthoHeight] m, > 0: an orthographic camera, which sees so much from the lower edge to the
+ * upper one; fovy does not count then, and focal lengths are 0. 0 (default): a perspective.
+ */
+
+/**
  * What is recorded, and how.
  *
  * Experimental.
