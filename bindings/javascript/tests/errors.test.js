@@ -39,6 +39,20 @@ test("nothing is ignored: unknown options, wrong types and wrong lengths", neede
   world.close();
 });
 
+test("the module has one thread, and says so", needed, () => {
+  const refused = { code: "UNSUPPORTED", message: /^thread 1 of [24] cannot be started: this build of the library has no threads/ };
+  assert.throws(() => new mimo.Batch("reach", { worlds: 2, threads: 2 }), refused);
+  assert.throws(() => new mimo.Stage({ threads: 4 }), refused);
+  assert.throws(() => new World("standup", { renderThreads: 2 }).render(), refused);
+  const batch = new mimo.Batch("reach", { worlds: 2 });
+  assert.equal(batch.threads, 1);
+  batch.reset();
+  const actions = new Float32Array(2 * batch.layout.actions.length);
+  assert.throws(() => batch.send(actions), { code: "UNSUPPORTED", message: /no threads besides the caller's/ });
+  batch.step(actions);
+  batch.close();
+});
+
 test("the library fills each struct with defaults, which it refuses for a struct of another size", needed, () => {
   const filled = Object.entries(structs).filter(([, { init }]) => init);
   assert.ok(filled.length > 10, `${filled.length}`);
