@@ -854,6 +854,7 @@ static const stage_array stage_textures_arrays[] = {
     {"heights", kSigned, 1, offsetof(mimo_stage_textures, heights), offsetof(mimo_stage_textures, count), 0, NULL},
     {"channels", kSigned, 1, offsetof(mimo_stage_textures, channels), offsetof(mimo_stage_textures, count), 0, NULL},
     {"pixels", kBytes, 1, offsetof(mimo_stage_textures, pixels), offsetof(mimo_stage_textures, pixel_bytes), 0, NULL},
+    {"srgb", kBytes, 1, offsetof(mimo_stage_textures, srgb), offsetof(mimo_stage_textures, count), 0, NULL},
     {NULL, kBytes, 0, 0, 0, 0, NULL},
 };
 static const member stage_textures_numbers[] = {

@@ -1016,6 +1016,7 @@ const std::string_view kNames[] = {
     "mimo_stage_textures.pixel_bytes",
     "mimo_stage_textures.pixels",
     "mimo_stage_textures.reserved",
+    "mimo_stage_textures.srgb",
     "mimo_stage_textures.struct_size",
     "mimo_stage_textures.types",
     "mimo_stage_textures.widths",

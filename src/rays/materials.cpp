@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/fail.h"
+#include "base/functions.h"
 #include "rays/vectors.h"
 #include "render/surfaces.h"
 
@@ -61,6 +62,18 @@ class Level {
       case 2: return read<2>(from);
       case 3: return read<3>(from);
       default: return read<4>(from);
+    }
+  }
+
+  // Each texel becomes another, channel by channel.
+  void map(const std::array<unsigned char, 256>& to) const {
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        std::uint32_t& texel = at(x, y);
+        texel = static_cast<std::uint32_t>(to[channel(texel, 0)]) |
+                static_cast<std::uint32_t>(to[channel(texel, 1)]) << 8 |
+                static_cast<std::uint32_t>(to[channel(texel, 2)]) << 16;
+      }
     }
   }
 
@@ -121,6 +134,17 @@ class Level {
   int width_, height_;
 };
 
+// The light that numbers coded by sRGB stand for (IEC 61966-2-1).
+std::array<unsigned char, 256> decoded_srgb() {
+  std::array<unsigned char, 256> light;
+  for (int i = 0; i < 256; ++i) {
+    const double code = i / 255.0;
+    const double linear = code <= 0.04045 ? code / 12.92 : fixed::pow((code + 0.055) / 1.055, 2.4);
+    light[i] = static_cast<unsigned char>(std::lround(255 * linear));
+  }
+  return light;
+}
+
 std::size_t bordered(int width, int height) {
   return static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height + 2);
 }
@@ -162,6 +186,7 @@ Textures::Textures(const render::Textures& given) {
       const unsigned char* from =
           pixels + (same_faces ? 0 : static_cast<std::size_t>(channels) * width * height * face);
       level.read(from, channels);
+      if (given.is_srgb(i)) level.map(decoded_srgb());
       level.fill_border(!texture.cube);
       for (int k = 1; k < texture.levels; ++k) {
         width = std::max(width / 2, 1);

@@ -45,6 +45,10 @@ Textures textures_of(const mjModel& model) {
   textures.heights = model.tex_height;
   textures.channels = compat::all_channels(model);
   textures.pixels = model.*compat::kPixels;
+#if MIMO_MUJOCO_4
+  static_assert(mjCOLORSPACE_SRGB == 2);
+  textures.color_spaces = model.tex_colorspace;
+#endif
   return textures;
 }
 

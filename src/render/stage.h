@@ -65,6 +65,14 @@ struct Textures {
   const int* heights = nullptr;
   const int* channels = nullptr;  // null: 3
   const unsigned char* pixels = nullptr;
+  const int* color_spaces = nullptr;    // MuJoCo's: 2 of flat textures that are coded by sRGB; null:
+  const unsigned char* srgb = nullptr;  // instead; null: none is
+
+  // MuJoCo draws cubes and skies as they are.
+  bool is_srgb(int i) const {
+    if (color_spaces != nullptr) return color_spaces[i] == 2 && types[i] == kFlatTexture;
+    return srgb != nullptr && srgb[i] != 0;
+  }
 };
 
 struct Meshes {

@@ -32,8 +32,8 @@ Textures::Textures(const mimo_stage_textures& given) {
   require(given.pixel_bytes == bytes, "textures: pixel_bytes is {}, expected {}, what their sizes and channels make",
           given.pixel_bytes, bytes);
   count = arrays.whole_count();
-  made = std::make_shared<const rays::Textures>(
-      render::Textures{count, types.data(), widths.data(), heights.data(), channels.data(), given.pixels});
+  made = std::make_shared<const rays::Textures>(render::Textures{count, types.data(), widths.data(), heights.data(),
+                                                                 channels.data(), given.pixels, nullptr, given.srgb});
 }
 
 namespace {

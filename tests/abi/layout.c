@@ -493,7 +493,7 @@ MEMBER(mimo_stage_fields, sizes, 32, 8);
 MEMBER(mimo_stage_fields, heights, 40, 8);
 MEMBER(mimo_stage_fields, height_total, 48, 8);
 
-_Static_assert(sizeof(mimo_stage_textures) == 64, "mimo_stage_textures");
+_Static_assert(sizeof(mimo_stage_textures) == 72, "mimo_stage_textures");
 MEMBER(mimo_stage_textures, struct_size, 0, 4);
 MEMBER(mimo_stage_textures, reserved, 4, 4);
 MEMBER(mimo_stage_textures, count, 8, 8);
@@ -503,6 +503,7 @@ MEMBER(mimo_stage_textures, heights, 32, 8);
 MEMBER(mimo_stage_textures, channels, 40, 8);
 MEMBER(mimo_stage_textures, pixels, 48, 8);
 MEMBER(mimo_stage_textures, pixel_bytes, 56, 8);
+MEMBER(mimo_stage_textures, srgb, 64, 8);
 
 _Static_assert(sizeof(mimo_stage_materials) == 80, "mimo_stage_materials");
 MEMBER(mimo_stage_materials, struct_size, 0, 4);

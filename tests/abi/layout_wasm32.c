@@ -493,7 +493,7 @@ MEMBER(mimo_stage_fields, sizes, 20, 4);
 MEMBER(mimo_stage_fields, heights, 24, 4);
 MEMBER(mimo_stage_fields, height_total, 28, 4);
 
-_Static_assert(sizeof(mimo_stage_textures) == 36, "mimo_stage_textures");
+_Static_assert(sizeof(mimo_stage_textures) == 40, "mimo_stage_textures");
 MEMBER(mimo_stage_textures, struct_size, 0, 4);
 MEMBER(mimo_stage_textures, reserved, 4, 4);
 MEMBER(mimo_stage_textures, count, 8, 4);
@@ -503,6 +503,7 @@ MEMBER(mimo_stage_textures, heights, 20, 4);
 MEMBER(mimo_stage_textures, channels, 24, 4);
 MEMBER(mimo_stage_textures, pixels, 28, 4);
 MEMBER(mimo_stage_textures, pixel_bytes, 32, 4);
+MEMBER(mimo_stage_textures, srgb, 36, 4);
 
 _Static_assert(sizeof(mimo_stage_materials) == 44, "mimo_stage_materials");
 MEMBER(mimo_stage_materials, struct_size, 0, 4);

@@ -294,6 +294,54 @@ static void test_mesh(void) {
   mimo_stage_destroy(stage);
 }
 
+/* White light on textures of one texel: coded by sRGB, 188 is (((188 / 255 + .055) / 1.055) ^ 2.4) 255 = 128.2, and 10
+ * is 10 / 12.92 = .8 (IEC 61966-2-1). Of two textures, one is. */
+static void test_srgb(void) {
+  static const uint8_t pixels[6] = {188, 10, 255, 188, 10, 255}, coded[2] = {0, 1};
+  static const uint8_t expected[2][3] = {{188, 10, 255}, {128, 1, 255}};
+  const int32_t form = MIMO_FORM_PLANE, zero = 0, ones[2] = {1, 1}, flat[2] = {MIMO_TEXTURE_FLAT, MIMO_TEXTURE_FLAT};
+  const double size[3] = {0, 0, 0};
+  const float white[4] = {1, 1, 1, 1}, full[3] = {1, 1, 1}, dark[3] = {0, 0, 0};
+  const mimo_stage_view view = from(above);
+  const mimo_stage_poses poses = one_geom();
+  mimo_stage_shapes geoms = one_shape(&form, size);
+  mimo_stage_config config = empty_stage();
+  mimo_stage_textures textures;
+  mimo_stage_materials materials;
+  mimo_stage_air air;
+  int32_t which;
+  int k;
+  memset(&textures, 0, sizeof textures);
+  textures.struct_size = sizeof textures;
+  textures.count = 2;
+  textures.types = flat;
+  textures.widths = textures.heights = ones;
+  textures.pixels = pixels;
+  textures.pixel_bytes = sizeof pixels;
+  textures.srgb = coded;
+  memset(&materials, 0, sizeof materials);
+  materials.struct_size = sizeof materials;
+  materials.count = 1;
+  materials.colors = white;
+  materials.textures = &which;
+  geoms.materials = &zero;
+  CHECK_OK(mimo_stage_air_init(&air, sizeof air));
+  memcpy(air.ambient, full, sizeof full);
+  memcpy(air.diffuse, dark, sizeof dark);
+  memcpy(air.specular, dark, sizeof dark);
+  config.geoms = &geoms;
+  config.textures = &textures;
+  config.materials = &materials;
+  config.air = &air;
+  for (which = 0; which < 2; ++which) {
+    mimo_stage* stage = NULL;
+    CHECK_OK(mimo_stage_create(&config, &stage));
+    draw(stage, &poses, &view);
+    for (k = 0; k < 3; ++k) CHECK(rgb[3 * MIDDLE + k] == expected[which][k]);
+    mimo_stage_destroy(stage);
+  }
+}
+
 /* Heights of 1 in a field 2 m long, 1 m wide and .3 m high. */
 static void test_field(void) {
   const int32_t form = MIMO_FORM_FIELD, zero = 0, two = 2, three = 3;
@@ -622,6 +670,7 @@ int main(void) {
   test_groups();
   test_lambert();
   test_mesh();
+  test_srgb();
   test_field();
   test_surfaces();
   test_tendons_and_extras();

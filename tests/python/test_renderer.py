@@ -202,6 +202,21 @@ def test_a_texture_can_be_switched_off():
     assert picture(model, data, "above", option)[2, 2].tolist() == [255, 255, 255]
 
 
+@pytest.mark.skipif(not hasattr(mujoco, "mjtColorSpace"), reason="textures of this MuJoCo have no colour space")
+def test_flat_textures_in_srgb_are_decoded_and_cubes_are_not():
+    """As MuJoCo draws them. (((188 / 255 + .055) / 1.055) ** 2.4) * 255 = 128.2, and 64 is 13.1 (IEC 61966-2-1)."""
+    assets = "".join(
+        f'<texture name="{kind}" type="{kind}" builtin="flat" rgb1="{188 / 255} {188 / 255} {64 / 255}" width="8" '
+        f'height="8" colorspace="sRGB"/><material name="{kind}" texture="{kind}"/>'
+        for kind in ("2d", "cube")
+    )
+    xml = ROOM.replace('rgba="0 0 1 1"', 'material="2d"').replace('rgba="1 0 0 1"', 'material="cube"')
+    model, data = loaded(xml.replace("<worldbody>", f"<asset>{assets}</asset><worldbody>"))
+    shown = picture(model, data, "above")
+    assert shown[2, 2].tolist() == [128, 128, 13]
+    assert shown[32, 34].tolist() == [188, 188, 64]
+
+
 def test_a_scene_stays_as_it_was_until_the_next_update(room, renderer):
     before = renderer.render()
     room[1].qpos[0] = 1

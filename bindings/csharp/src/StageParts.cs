@@ -228,6 +228,11 @@ namespace Mimo
         /// <summary>PixelBytes: row after row, one texture after the other.</summary>
         public byte[] Pixels { get; set; }
 
+        /// <summary>count: 1: colours of pixels are coded by sRGB and decoded before light falls on them, as MuJoCo
+        /// does with flat textures whose tex_colorspace is mjCOLORSPACE_SRGB; 0: they are lit as they are; null:
+        /// 0.</summary>
+        public byte[] Srgb { get; set; }
+
         /// <summary>The struct, valid as long as the parts.</summary>
         internal StageTexturesStruct Raw(PinnedParts parts)
         {
@@ -237,11 +242,13 @@ namespace Mimo
             filled.heights = parts.Keep(Heights);
             filled.channels = parts.Keep(Channels);
             filled.pixels = parts.Keep(Pixels);
+            filled.srgb = parts.Keep(Srgb);
             filled.count = new CommonLength("StageTextures")
                 .Of(Types, 1, "Types")
                 .Of(Widths, 1, "Widths")
                 .Of(Heights, 1, "Heights")
                 .Of(Channels, 1, "Channels")
+                .Of(Srgb, 1, "Srgb")
                 .Count;
             filled.pixel_bytes = new CommonLength("StageTextures")
                 .Of(Pixels, 1, "Pixels")

@@ -933,8 +933,9 @@ namespace Mimo
         internal IntPtr channels;
         internal IntPtr pixels;
         internal UIntPtr pixel_bytes;
+        internal IntPtr srgb;
 
-        internal const uint Bytes = 64;
+        internal const uint Bytes = 72;
 
         internal static StageTexturesStruct New()
         {

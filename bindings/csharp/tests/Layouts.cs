@@ -124,9 +124,9 @@ internal static partial class Tests
         { typeof(StageFieldsStruct), "56: " +
             "struct_size 0 4, reserved 4 4, count 8 8, rows 16 8, columns 24 8, sizes 32 8, heights 40 8, " +
             "height_total 48 8" },
-        { typeof(StageTexturesStruct), "64: " +
+        { typeof(StageTexturesStruct), "72: " +
             "struct_size 0 4, reserved 4 4, count 8 8, types 16 8, widths 24 8, heights 32 8, channels 40 8, pixels " +
-            "48 8, pixel_bytes 56 8" },
+            "48 8, pixel_bytes 56 8, srgb 64 8" },
         { typeof(StageMaterialsStruct), "80: " +
             "struct_size 0 4, from_corner 4 4, count 8 8, colors 16 8, emission 24 8, specular 32 8, shininess 40 8, " +
             "reflectance 48 8, textures 56 8, repeats 64 8, uniform 72 8" },

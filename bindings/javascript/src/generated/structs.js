@@ -573,7 +573,7 @@ export const structs = {
     },
   },
   mimo_stage_textures: {
-    size: 36,
+    size: 40,
     init: "",
     members: {
       count: ["length", 8],
@@ -583,6 +583,7 @@ export const structs = {
       channels: ["i32", 24, 1, "count"],
       pixels: ["u8", 28, 1, "pixelBytes"],
       pixelBytes: ["length", 32],
+      srgb: ["u8", 36, 1, "count"],
     },
   },
   mimo_stage_materials: {

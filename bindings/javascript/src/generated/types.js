@@ -613,6 +613,9 @@
  * @property {ArrayLike<number> | null} [channels] count: bytes of a pixel: 1 or 2 (grey first), 3 or 4 (red,
  * green, blue). Unless set: 3.
  * @property {ArrayLike<number> | null} [pixels] pixel_bytes: row after row, one texture after the other.
+ * @property {ArrayLike<number> | null} [srgb] count: 1: colours of pixels are coded by sRGB and decoded before
+ * light falls on them, as MuJoCo does with flat textures whose tex_colorspace is mjCOLORSPACE_SRGB; 0: they are
+ * lit as they are; unless set: 0.
  */
 
 /**

@@ -742,6 +742,7 @@ class StageTextures(Struct):
         ("channels", c_void_p),
         ("pixels", c_void_p),
         ("pixel_bytes", c_size_t),
+        ("srgb", c_void_p),
     ]
 
 

@@ -15,6 +15,7 @@ from .stage import Arrays, fill
 from .stage_columns import POSES
 
 TEXTURES_FROM_CORNERS = (3, 12)  # the version of MuJoCo that began to lay flat textures so
+FLAT, SRGB = 0, 2  # mjTEXTURE_2D and mjCOLORSPACE_SRGB: MuJoCo decodes no other textures
 COLOR_TEXTURE = 1  # mjTEXROLE_RGB, the column of mat_texid since MuJoCo 3.2
 RODS, TRIANGLES = 2, 3  # corners of the elements of surfaces
 DEFAULT_COLOR = np.array([0.5, 0.5, 0.5, 1], np.float32)  # stands for the material's
@@ -116,12 +117,14 @@ class ModelArrays:
         """Textures."""
         model = self._model
         bytes_before_3_2 = getattr(model, "tex_rgb", None)
+        spaces = getattr(model, "tex_colorspace", None)
         return {
             "types": model.tex_type,
             "widths": model.tex_width,
             "heights": model.tex_height,
             "channels": getattr(model, "tex_nchannel", None),
             "pixels": model.tex_data if bytes_before_3_2 is None else bytes_before_3_2,
+            "srgb": None if spaces is None else (spaces == SRGB) & (model.tex_type == FLAT),
         }
 
     def materials(self) -> Arrays:

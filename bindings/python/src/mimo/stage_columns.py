@@ -50,6 +50,7 @@ TEXTURES: Mapping[str, Column] = {
     "heights": Column(np.int32, 1),
     "channels": Column(np.int32, 1),
     "pixels": Column(np.uint8, 1, "pixel_bytes"),
+    "srgb": Column(np.uint8, 1),
 }
 MATERIALS: Mapping[str, Column] = {
     "colors": Column(np.float32, 4),

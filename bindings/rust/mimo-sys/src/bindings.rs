@@ -2282,6 +2282,9 @@ pub struct mimo_stage_textures {
     pub pixels: *const u8,
     /// Length of pixels.
     pub pixel_bytes: usize,
+    /// count: 1: colours of pixels are coded by sRGB and decoded before light falls on them, as MuJoCo does with flat
+    /// textures whose tex_colorspace is mjCOLORSPACE_SRGB; 0: they are lit as they are; NULL: 0.
+    pub srgb: *const u8,
 }
 
 /// Materials. Numbers are 0 to 1 where nothing else is said.

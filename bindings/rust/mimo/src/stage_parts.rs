@@ -222,6 +222,9 @@ pub struct StageTextures<'a> {
     pub channels: &'a [i32],
     /// pixel_bytes: row after row, one texture after the other.
     pub pixels: &'a [u8],
+    /// count: 1: colours of pixels are coded by sRGB and decoded before light falls on them, as MuJoCo does with flat
+    /// textures whose tex_colorspace is mjCOLORSPACE_SRGB; 0: they are lit as they are; empty: 0.
+    pub srgb: &'a [u8],
 }
 
 impl StageTextures<'_> {
@@ -232,11 +235,13 @@ impl StageTextures<'_> {
         raw.heights = array(self.heights);
         raw.channels = array(self.channels);
         raw.pixels = array(self.pixels);
+        raw.srgb = array(self.srgb);
         raw.count = common_length(&[
             (self.types.len(), 1, "types"),
             (self.widths.len(), 1, "widths"),
             (self.heights.len(), 1, "heights"),
             (self.channels.len(), 1, "channels"),
+            (self.srgb.len(), 1, "srgb"),
         ])?;
         raw.pixel_bytes = common_length(&[
             (self.pixels.len(), 1, "pixels"),
