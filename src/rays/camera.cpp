@@ -230,9 +230,9 @@ void Eye::look_at(const Solid& solid, int index, double near_depth) {
     aspect.a = forward;
   }
 
-  // Nearest first: few solids, mostly in order already.
+  // Nearest first, and of two in one place the later one, which shows: few solids, mostly in order already.
   int place = count++;
-  while (place > 0 && aspects[place - 1].nearest > aspect.nearest) {
+  while (place > 0 && aspects[place - 1].nearest >= aspect.nearest) {
     aspects[place] = aspects[place - 1];
     --place;
   }

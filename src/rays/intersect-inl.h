@@ -15,6 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
+template <Form kForm>
+struct FormTag {
+  static constexpr Form value = kForm;
+};
+
 // Where a ray enters a solid (kMiss where it does not), in the solid's frame. All solids but meshes are
 // convex, and what is seen from inside is not drawn: the entry is all there is to know.
 template <Form kKind>

@@ -267,11 +267,6 @@ struct FlatTile {
   }
 };
 
-template <Form kForm>
-struct FormTag {
-  static constexpr Form value = kForm;
-};
-
 // Whether a solid keeps the light from all points: what is convex does if it hides the corners of a flat tile.
 template <Rays kRaysKind>
 bool HidesAll(const Solid& solid, const Aspect& aspect, const float (&points)[3][FlatTile::kPoints]) {

@@ -33,10 +33,30 @@ void FindDepths(Tile& tile) {
   tile.farthest = hn::GetLane(hn::MaxOfLanes(D(), most));
 }
 
+// What lies in one place, for what is rounded of its depth.
+constexpr float kOnePlace = 2e-6F;
+
+// Of two solids in one place OpenGL shows the one that MuJoCo draws last: the later one, and a transparent one after
+// all that are opaque. (Of transparent ones, those that were met first are drawn last.)
+inline bool IsDrawnAfter(const Solids& solids, const Eye& eye, int index, std::int32_t other) {
+  if (other < 0) return true;
+  const int one = eye.aspects[index].solid, two = eye.aspects[other].solid;
+  return solids[one].transparent ? !solids[two].transparent : one > two;
+}
+
+// Of rays that meet a solid where they met another one before, those that show it.
+HWY_NOINLINE M ShownOf(M met, const Solids& solids, const Eye& eye, int index, const std::int32_t* id) {
+  alignas(64) std::int32_t shown[hn::MaxLanes(D())] = {};
+  EachLane(met, [&](int lane) { shown[lane] = IsDrawnAfter(solids, eye, index, id[lane]) ? 1 : 0; });
+  return hn::RebindMask(D(), hn::Gt(hn::Load(DI(), shown), hn::Zero(DI())));
+}
+
 // Casts the tile's rays at one solid. `from` is the depth from which on it is seen: for all rays, or for each.
 template <Form kKind, bool kFromEach>
-HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, const Tile& tile, const Window& w,
+HWY_NOINLINE void CastAt(const Solids& solids, const Eye& eye, int index, const Tile& tile, const Window& w,
                          const float* from, float* HWY_RESTRICT best, std::int32_t* HWY_RESTRICT id) {
+  const Aspect& aspect = eye.aspects[index];
+  const Solid& solid = solids[aspect.solid];
   const int lanes = static_cast<int>(hn::Lanes(D()));
   const int first = w.column0 / lanes * lanes;
   const V3 bx = Set(aspect.bx);
@@ -51,8 +71,11 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
       const V old = Load(best + i);
       const V start = kFromEach ? Load(from + i) : Set(*from);
       const V t = Enter<kKind>(solid, ray);
-      const M seen = hn::And(hn::Lt(t, old), hn::Ge(t, start));
+      const V beyond = hn::Min(old * Set(1 + kOnePlace), Set(kMiss));
+      M seen = hn::And(hn::Lt(t, beyond), hn::Ge(t, start));
       if (None(seen)) continue;
+      const M there = hn::And(seen, hn::Ge(t, old * Set(1 - kOnePlace)));
+      if (!None(there)) seen = hn::Or(hn::AndNot(there, seen), ShownOf(there, solids, eye, index, id + i));
       Store(Pick(seen, t, old), best + i);
       const VI old_id = hn::Load(DI(), id + i);
       hn::Store(hn::IfThenElse(hn::RebindMask(DI(), seen), index_v, old_id), DI(), id + i);
@@ -63,15 +86,18 @@ HWY_NOINLINE void CastAt(const Solid& solid, const Aspect& aspect, int index, co
 template <bool kFromEach>
 void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, const Window& w, const float* from,
           float* best, std::int32_t* id, std::int32_t* face) {
+  const auto cast = [&](auto kind) {
+    CastAt<decltype(kind)::value, kFromEach>(solids, eye, index, tile, w, from, best, id);
+  };
   const Aspect& aspect = eye.aspects[index];
   const Solid& solid = solids[aspect.solid];
   switch (solid.kind) {
-    case Form::kPlane: CastAt<Form::kPlane, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Form::kSphere: CastAt<Form::kSphere, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Form::kCapsule: CastAt<Form::kCapsule, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Form::kEllipsoid: CastAt<Form::kEllipsoid, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Form::kCylinder: CastAt<Form::kCylinder, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
-    case Form::kBox: CastAt<Form::kBox, kFromEach>(solid, aspect, index, tile, w, from, best, id); break;
+    case Form::kPlane: cast(FormTag<Form::kPlane>()); break;
+    case Form::kSphere: cast(FormTag<Form::kSphere>()); break;
+    case Form::kCapsule: cast(FormTag<Form::kCapsule>()); break;
+    case Form::kEllipsoid: cast(FormTag<Form::kEllipsoid>()); break;
+    case Form::kCylinder: cast(FormTag<Form::kCylinder>()); break;
+    case Form::kBox: cast(FormTag<Form::kBox>()); break;
     case Form::kMesh: CastAtMesh<kFromEach>(*solid.mesh, aspect, index, tile, w, from, {best, id, face}); break;
   }
 }
