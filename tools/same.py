@@ -70,7 +70,7 @@ def check_processors(count=300, emulated=100):
 
 
 def test_same():
-    """Compares a line a scene, with the hash of all blocks."""
+    """Compares a line a scene, with the hash of all blocks, and one of a picture of plain arrays."""
     check_processors()
     need("rust")
     build("release", "mimo", "capi_same", "same_cpp", "same_fnv1a")

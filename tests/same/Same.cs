@@ -77,8 +77,52 @@ internal static class Same
         }
     }
 
+    private static byte[] BytesOf(Array numbers)
+    {
+        var bytes = new byte[Buffer.ByteLength(numbers)];
+        Buffer.BlockCopy(numbers, 0, bytes, 0, bytes.Length);
+        return bytes;
+    }
+
+    /// <summary>The picture of tests/capi/same.c.</summary>
+    private static void DrawStage()
+    {
+        var config = new StageConfig
+        {
+            Geoms = new StageShapes
+            {
+                ObjectType = 5, Forms = new[] { (int)Form.Plane, (int)Form.Sphere }, Sizes = new[] { 0, 0, 0, 0.5, 0, 0 },
+                Colors = new[] { 1, 1, 1, 1, 0.9f, 0.2f, 0.1f, 1 }, Materials = new[] { 0, -1 }
+            },
+            Textures = new StageTextures
+            {
+                Types = new[] { (int)TextureType.Flat }, Widths = new[] { 2 }, Heights = new[] { 2 }, Srgb = new byte[] { 1 },
+                Pixels = new byte[] { 200, 30, 90, 20, 180, 60, 40, 80, 220, 250, 240, 130 }
+            },
+            Materials = new StageMaterials { Colors = new[] { 1f, 1f, 1f, 1f }, Textures = new[] { 0 } },
+            Lights = new StageLights { Types = new[] { (int)Lamp.Sun } }
+        };
+        var upright = new double[] { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+        var poses = new StagePoses
+        {
+            GeomPositions = new[] { 0, 0, 0, 0, 0, 0.5 }, GeomRotations = new double[] { 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1 },
+            LightPositions = new double[] { 0, 0, 5 }, LightDirections = new[] { 0, 0.6, -0.8 }
+        };
+        var view = new StageView { Width = 64, Height = 48, Position = new double[] { 0, 0, 4 }, Rotation = upright };
+        using (var stage = new Stage(config))
+        {
+            var picture = stage.Draw(poses, view);
+            var hash = HashOf(14695981039346656037, picture.Rgb);
+            hash = HashOf(HashOf(hash, BytesOf(picture.Depth)), BytesOf(picture.Segmentation));
+            double sum = 0;
+            foreach (var level in picture.Rgb) sum += level;
+            Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "stage {0:x16} {1:F6}", hash, sum));
+        }
+    }
+
     private static void Main()
     {
         foreach (var scene in new[] { "reach", "standup", "selfbody", "benchmark", "own" }) Run(scene);
+        DrawStage();
     }
 }

@@ -18,4 +18,25 @@ function same(folder)
     fprintf('%s %.6f\n', scenes{s}, total);
     mimo_close(world);
   end
+  draw_stage(folder);
+end
+
+% The picture of tests/capi/same.c.
+function draw_stage(folder)
+  pixels = uint8([200 30 90 20 180 60 40 80 220 250 240 130]);
+  stage = mimo_stage('geoms', struct('object_type', 5, 'forms', {{'plane', 'sphere'}}, 'sizes', [0 0 0; 0.5 0 0], ...
+                                     'colors', [1 1 1 1; 0.9 0.2 0.1 1], 'materials', [1 0]), ...
+                     'textures', struct('types', {{'flat'}}, 'widths', 2, 'heights', 2, 'pixels', pixels, 'srgb', 1), ...
+                     'materials', struct('colors', [1 1 1 1], 'textures', 1), 'lights', struct('types', {{'sun'}}));
+  upright = reshape(eye(3), 1, 9);
+  poses = struct('geom_positions', [0 0 0; 0 0 0.5], 'geom_rotations', [upright; upright], ...
+                 'light_positions', [0 0 5], 'light_directions', [0 0.6 -0.8]);
+  [rgb, depth, objects] = mimo_stage_draw(stage, poses, struct('width', 64, 'height', 48, 'position', [0 0 4], 'rotation', eye(3)));
+  file = fopen(fullfile(folder, 'stage'), 'w');
+  fwrite(file, permute(rgb, [3 2 1]));
+  fwrite(file, permute(depth, [2 1]), 'single');
+  fwrite(file, permute(objects, [3 2 1]), 'int32');
+  fclose(file);
+  fprintf('stage %.6f\n', sum(double(rgb(:))));
+  mimo_close(stage);
 end

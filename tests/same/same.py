@@ -57,5 +57,35 @@ def run(scene: str, folder: Path) -> None:
     print(f"{scene} {total:.6f}")
 
 
+def draw_stage(folder: Path) -> None:
+    """The picture of tests/capi/same.c."""
+    pixels = np.array([200, 30, 90, 20, 180, 60, 40, 80, 220, 250, 240, 130], np.uint8)
+    texture = {"types": [mimo.TextureType.FLAT], "widths": [2], "heights": [2], "pixels": pixels, "srgb": [1]}
+    stage = mimo.Stage(
+        geoms={
+            "object_type": 5,
+            "forms": [mimo.Form.PLANE, mimo.Form.SPHERE],
+            "sizes": [[0, 0, 0], [0.5, 0, 0]],
+            "colors": [[1, 1, 1, 1], [0.9, 0.2, 0.1, 1]],
+            "materials": [0, -1],
+        },
+        textures=texture,
+        materials={"colors": [[1, 1, 1, 1]], "textures": [0]},
+        lights={"types": [mimo.Lamp.SUN]},
+    )
+    poses = {
+        "geom_positions": [[0, 0, 0], [0, 0, 0.5]],
+        "geom_rotations": [np.eye(3), np.eye(3)],
+        "light_positions": [[0, 0, 5]],
+        "light_directions": [[0, 0.6, -0.8]],
+    }
+    view = mimo.StageView(width=64, height=48, position=[0, 0, 4], rotation=np.eye(3), depth=True, segmentation=True)
+    picture = stage.draw(poses, view)
+    parts = (picture.rgb, picture.depth, picture.segmentation)
+    (folder / "stage").write_bytes(b"".join(part.tobytes() for part in parts))
+    print(f"stage {picture.rgb.sum():.6f}")
+
+
 for name in ("reach", "standup", "selfbody", "benchmark", "own"):
     run(name, Path(sys.argv[1]))
+draw_stage(Path(sys.argv[1]))

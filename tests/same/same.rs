@@ -84,8 +84,74 @@ fn run(scene: &str) -> mimo::Result<()> {
     Ok(())
 }
 
+/// The picture of tests/capi/same.c.
+fn draw_stage() -> mimo::Result<()> {
+    const TURNS: [f64; 18] = [
+        1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0,
+    ];
+    let geoms = mimo::StageShapes {
+        object_type: 5,
+        forms: &[mimo::Form::PLANE.raw(), mimo::Form::SPHERE.raw()],
+        sizes: &[0.0, 0.0, 0.0, 0.5, 0.0, 0.0],
+        colors: &[1.0, 1.0, 1.0, 1.0, 0.9, 0.2, 0.1, 1.0],
+        materials: &[0, -1],
+        ..Default::default()
+    };
+    let textures = mimo::StageTextures {
+        types: &[mimo::TextureType::FLAT.raw()],
+        widths: &[2],
+        heights: &[2],
+        pixels: &[200, 30, 90, 20, 180, 60, 40, 80, 220, 250, 240, 130],
+        srgb: &[1],
+        ..Default::default()
+    };
+    let materials = mimo::StageMaterials {
+        colors: &[1.0, 1.0, 1.0, 1.0],
+        textures: &[0],
+        ..Default::default()
+    };
+    let lights = mimo::StageLights {
+        types: &[mimo::Lamp::SUN.raw()],
+        ..Default::default()
+    };
+    let parts = mimo::StageParts {
+        geoms: Some(&geoms),
+        textures: Some(&textures),
+        materials: Some(&materials),
+        lights: Some(&lights),
+        ..Default::default()
+    };
+    let poses = mimo::StagePoses {
+        geom_positions: &[0.0, 0.0, 0.0, 0.0, 0.0, 0.5],
+        geom_rotations: &TURNS,
+        light_positions: &[0.0, 0.0, 5.0],
+        light_directions: &[0.0, 0.6, -0.8],
+        ..Default::default()
+    };
+    let mut turn = [0.0; 9];
+    turn.copy_from_slice(&TURNS[..9]);
+    let view = mimo::StageView::new(64, 48, [0.0, 0.0, 4.0], turn)?;
+    let picture = mimo::Stage::new(&parts, 1)?.draw(&poses, &view)?;
+    let mut bytes = picture.rgb.clone();
+    bytes.extend(picture.depth.iter().flat_map(|depth| depth.to_ne_bytes()));
+    bytes.extend(
+        picture
+            .segmentation
+            .iter()
+            .flat_map(|object| object.to_ne_bytes()),
+    );
+    let sum: f64 = picture.rgb.iter().map(|&level| f64::from(level)).sum();
+    println!(
+        "stage {:016x} {:.6}",
+        hash_of(14695981039346656037, &bytes),
+        sum
+    );
+    Ok(())
+}
+
 fn main() -> mimo::Result<()> {
     ["reach", "standup", "selfbody", "benchmark", "own"]
         .into_iter()
-        .try_for_each(run)
+        .try_for_each(run)?;
+    draw_stage()
 }
