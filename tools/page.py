@@ -1,9 +1,11 @@
-"""The page with the infant: build/web, which any server of files serves, and the documentation beside it."""
+"""The pages in build/web: the infant, which any server of files serves, and a page for recordings, which is one file."""
 
+import base64
+import gzip
 import shutil
 
 from . import site
-from .javascript import PACKAGE, install_compiler, take_module, test_javascript, test_packed
+from .javascript import LICENCES, PACKAGE, install_compiler, take_module, test_javascript, test_packed
 from .need import need
 from .python import sessions, wheel
 from .shell import BUILD, ROOT, copy, fail, fresh, run
@@ -28,11 +30,40 @@ def documentation():
     return "Read on: " + ", ".join(f'<a href="docs/{file}">{text}</a>' for file, text in found) + "."
 
 
-def bundle():
-    """All JavaScript of the page as one script; files that open from a disk cannot have modules."""
+def bundle(source, made):
+    """All JavaScript of a page as one script; files that open from a disk cannot have modules."""
     options = ("--bundle", "--minify", "--format=iife", "--target=es2022", "--legal-comments=eof")
     quiet = ("--external:node:fs/promises", "--log-override:empty-import-meta=silent", "--log-level=warning")
-    run("npx", "esbuild", "src/main.js", *options, *quiet, f"--outfile={PAGE}/page.js", cwd=SOURCES)
+    run("npx", "esbuild", f"src/{source}", *options, *quiet, f"--outfile={made}", cwd=SOURCES)
+
+
+def packed(content):
+    """Bytes as text, as web/src/inside.js reads them."""
+    return base64.b64encode(gzip.compress(content, mtime=0)).decode()
+
+
+def licences():
+    """The licences of all that is inside a page, as one text."""
+    files = {"libmimo": ROOT / "LICENSE", "three.js": SOURCES / "node_modules/three/LICENSE"}
+    files |= {file.stem: file for file in sorted(LICENCES.glob("*.txt"))}
+    return "\n\n".join(f"{name}\n\n{file.read_text(encoding='utf-8')}" for name, file in files.items())
+
+
+def make_recording_page():
+    """The page that mimo export --html puts a recording into, with all that it needs inside."""
+    script = BUILD / "recording.js"
+    bundle("recording.js", script)
+    inside = {
+        "style": f"<style>{(SOURCES / 'page.css').read_text(encoding='utf-8')}</style>",
+        "licences": packed(licences().encode()),
+        "module": packed((PACKAGE / "mimo.wasm").read_bytes()),
+        "script": f"<script>{script.read_text(encoding='utf-8')}</script>",
+    }
+    text = (SOURCES / "recording.html").read_text(encoding="utf-8")
+    for name, content in inside.items():
+        text = text.replace(f"<!-- {name} -->", content)
+    (PAGE / "recording.html").write_text(text, encoding="utf-8")
+    script.unlink()
 
 
 def make_page():
@@ -40,7 +71,8 @@ def make_page():
         fail("the page needs the module: ./dev build --web")
     install_compiler(SOURCES)
     fresh(PAGE)
-    bundle()
+    bundle("main.js", PAGE / "page.js")
+    make_recording_page()
     copy([SOURCES / "page.css", SOURCES / "policy/reach.json", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
     shutil.copy(SOURCES / "node_modules/three/LICENSE", PAGE / "LICENSE.three")
     if (PACKAGE / "licences").is_dir():

@@ -61,7 +61,8 @@ def make_wheel(sources, native, licences, tag):
 def wheel_for(system):
     folder = collect(system)
     native = folder / "native"
-    copy([*folder.glob("libraries/*"), *folder.glob("program/*")], native)
+    page = BUILD / "web/recording.html"  # ./dev web
+    copy([*folder.glob("libraries/*"), *folder.glob("program/*"), *([page] if page.is_file() else [])], native)
     make_wheel("bindings/python", native, folder / "licences", system.wheel_tag)
     shutil.rmtree(native)
 

@@ -1,38 +1,17 @@
 /** The page: a world, the scene in 3-D, what the infant senses, and what visitors may change. */
 import * as mimo from "../../bindings/javascript/src/index.js";
 import { Babble, Policy, rest } from "./behaviour.js";
+import { everyPicture, openStage, Pace, page, say, trying } from "./page.js";
 import { Pull } from "./pull.js";
 import { Senses } from "./senses.js";
-import { Stage } from "./stage.js";
 
 const PIXELS = 64; // of an eye, across
-const PATIENCE = 40; // ms of each picture for steps
-const page = Object.fromEntries([...document.querySelectorAll("[id]")].map((element) => [element.id, element]));
-
-/** Says on the page what went wrong, in a sentence. */
-function say(error) {
-  page.message.hidden = !error;
-  const text = typeof error === "string" ? error : (error?.message ?? "");
-  page.message.textContent = text && text[0].toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? "" : ".");
-}
-
-/** Does something that may be refused. */
-function trying(act) {
-  try {
-    say(null);
-    return act();
-  } catch (error) {
-    say(error);
-    return undefined;
-  }
-}
 
 class Page {
   running = true;
-  due = 0;
+  pace = new Pace();
   episodes = 0;
   reached = 0;
-  rate = 1;
 
   constructor(policy, stage) {
     this.stage = stage;
@@ -161,31 +140,22 @@ class Page {
       if (outcome[0] === mimo.Outcome.SUCCESS) this.reached++;
       this.begin();
     }
+    return true;
   }
 
   /** Steps as far as time has gone on, and draws. */
   tick(now) {
     if (!this.shown) return;
-    const seconds = Math.min((now - (this.last ?? now)) / 1000, 0.2);
-    this.last = now;
     if (this.running) {
-      const length = this.world.layout.stepSeconds;
-      this.due += seconds * Number(page.speed.value);
-      const until = performance.now() + PATIENCE;
-      let done = 0;
-      while (this.due >= length && performance.now() < until) {
-        this.advance();
-        this.due -= length;
-        done += length;
-      }
-      this.due = Math.min(this.due, length);
-      if (seconds > 0) this.rate += (done / seconds - this.rate) * Math.min(1, seconds);
+      this.pace.run(now, Number(page.speed.value), this.world.layout.stepSeconds, () => this.advance());
+    } else {
+      this.pace.rest(now);
     }
     this.stage?.touch();
     this.stage?.draw();
     this.senses.draw(now);
     const success = this.episodes > 0 ? `, ${this.reached} of ${this.episodes} episodes succeeded` : "";
-    page.clock.textContent = `${this.world.time().toFixed(2)} s${this.running ? `, ${this.rate.toFixed(1)}× real time` : ", paused"}${success}`;
+    page.clock.textContent = `${this.world.time().toFixed(2)} s${this.running ? `, ${this.pace.rate.toFixed(1)}× real time` : ", paused"}${success}`;
   }
 
   #save() {
@@ -223,26 +193,13 @@ async function start() {
     return say("A browser lets no page read the module from a file: serve the folder, for example with python3 -m http.server, and open http://localhost:8000");
   }
   try {
+    const stage = openStage();
     const [policy] = await Promise.all([read("reach.json").then((answer) => answer.json()), mimo.load("mimo.wasm")]);
-    let stage = null;
-    let lacks = null;
-    try {
-      stage = new Stage(page.scene);
-    } catch (error) {
-      lacks = `This browser has no WebGL, so the room is not drawn; everything else works (${error.message})`;
-    }
     const shown = (globalThis.mimoPage = new Page(new Policy(policy), stage));
-    if (lacks) say(lacks);
-    const next = (now) => {
-      try {
-        shown.tick(now);
-      } catch (error) {
-        shown.pause(true);
-        say(error);
-      }
-      requestAnimationFrame(next);
-    };
-    requestAnimationFrame(next);
+    everyPicture(
+      (now) => shown.tick(now),
+      () => shown.pause(true),
+    );
   } catch (error) {
     page.clock.textContent = "";
     say(error);

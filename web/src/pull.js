@@ -6,9 +6,13 @@ const STIFFNESS = 200; // N/m
 const LARGEST = 60; // N
 
 export class Pull {
-  /** @param {import("./stage.js").Stage} stage */
-  constructor(stage) {
+  /**
+   * @param {import("./stage.js").Stage} stage
+   * @param {() => void} [begun] is called when somebody takes hold of a body
+   */
+  constructor(stage, begun = () => {}) {
     this.stage = stage;
+    this.begun = begun;
     const { canvas } = stage;
     canvas.addEventListener("pointerdown", (event) => this.#begin(event), { capture: true });
     canvas.addEventListener("pointermove", (event) => this.#move(event));
@@ -23,6 +27,7 @@ export class Pull {
     this.body = hit.body;
     this.at = this.stage.bodies[hit.body].worldToLocal(hit.point.clone());
     this.target = hit.point;
+    this.begun();
   }
 
   #move(event) {

@@ -1,5 +1,6 @@
 /** What the infant senses, drawn beside the scene. */
 import { Kind, Quantity, Receptor } from "../../bindings/javascript/src/index.js";
+import { sizeOf } from "./stage.js";
 
 const SECONDS = 1; // of sound
 // Small pictures that change all the time: a graphics card would only wait for them.
@@ -44,7 +45,7 @@ export class Senses {
   #skin(field) {
     if (!field) return null;
     const owners = this.world.layout.receptors(field.name, Receptor.BODY);
-    return { name: field.name, owners: Int32Array.from(owners), sums: new Float32Array(this.world.count(Kind.BODY)), names: this.world.names(Kind.BODY) };
+    return { name: field.name, width: field.shape[1], owners: Int32Array.from(owners), sums: new Float32Array(this.world.count(Kind.BODY)), names: this.world.names(Kind.BODY) };
   }
 
   #joints(field) {
@@ -108,11 +109,12 @@ export class Senses {
   }
 
   #drawTouch() {
-    const { name, owners, sums, names } = this.skin;
+    const { name, width, owners, sums, names } = this.skin;
     const forces = this.world.observation[name];
     sums.fill(0);
     for (let i = 0; i < owners.length; i++) {
-      if (forces[3 * i] || forces[3 * i + 1] || forces[3 * i + 2]) sums[owners[i]] += Math.hypot(forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]);
+      const force = sizeOf(forces, width, i);
+      if (force > 0) sums[owners[i]] += force;
     }
     const touched = Array.from(sums.keys()).filter((body) => sums[body] > 0).sort((one, two) => sums[two] - sums[one]);
     this.rows.forEach((row, i) => {

@@ -34,6 +34,16 @@ export class Stage {
     this.line.frustumCulled = false;
     this.line.visible = false;
     this.scene.add(this.root, this.line);
+    this.#prepare();
+  }
+
+  /** Has the graphics card translate what will draw, while the module is still loading. */
+  #prepare() {
+    const [skin, map] = [lights(), new THREE.DataTexture(new Uint8Array(4), 1, 1)];
+    map.colorSpace = THREE.SRGBColorSpace;
+    const kinds = [surface(null, 1), surface(map, 1)].map((material) => new THREE.Mesh(new THREE.BufferGeometry(), material));
+    this.kept = new THREE.Group().add(...kinds, new THREE.Points(new THREE.BufferGeometry(), skin), this.line.clone());
+    this.renderer.compile(this.kept, this.camera, this.scene);
   }
 
   /** Draws another world, or the same one with other bodies. @param {any} world */
@@ -74,7 +84,7 @@ export class Stage {
     geometry.setAttribute("normal", new THREE.BufferAttribute(normals, 3));
     if (texture) geometry.setAttribute("uv", new THREE.BufferAttribute(places(texture.given, texcoords), 2));
     geometry.setIndex(new THREE.BufferAttribute(indices, 1));
-    const material = new THREE.MeshLambertMaterial({ map: texture?.made ?? null, transparent: look.color[3] < 1, opacity: look.color[3] });
+    const material = surface(texture?.made ?? null, look.color[3]);
     const bright = look.color.slice(0, 3).map((one) => one * (1.2 + look.emission));
     material.color.setRGB(...bright.map((one) => one / Math.max(1, ...bright)), THREE.SRGBColorSpace);
     const mesh = new THREE.Mesh(geometry, material);
@@ -105,7 +115,7 @@ export class Stage {
   /** Points on the skin of all infants, dark until they are touched. */
   #addSkin() {
     const { layout } = this.world;
-    for (const { name } of layout.fields.filter(({ name }) => name.endsWith("touch/force"))) {
+    for (const { name, shape } of layout.fields.filter(({ name }) => name.endsWith("touch/force"))) {
       const owners = layout.receptors(name, Receptor.BODY);
       const normals = layout.receptors(name, Receptor.FRAME); // three directions each, the normal first
       const outside = layout.receptors(name, Receptor.POSITION).map((one, i) => one + ABOVE * normals[9 * Math.floor(i / 3) + (i % 3)]);
@@ -116,11 +126,10 @@ export class Stage {
         const places = Float32Array.from(members.flatMap((one) => [...at.subarray(3 * one, 3 * one + 3)]));
         geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
         geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(4 * members.length), 4));
-        const material = new THREE.PointsMaterial({ size: 0.016, vertexColors: true, transparent: true, depthWrite: false });
-        const points = new THREE.Points(geometry, material);
+        const points = new THREE.Points(geometry, lights());
         points.renderOrder = 1;
         this.bodies[body].add(points);
-        this.skin.push({ field: name, first: members[0], count: members.length, points, lit: false });
+        this.skin.push({ field: name, width: shape[1], first: members[0], count: members.length, points, lit: false });
       }
     }
   }
@@ -133,8 +142,7 @@ export class Stage {
       const color = part.points.geometry.attributes.color;
       let lit = false;
       for (let i = 0; i < part.count; i++) {
-        const at = 3 * (part.first + i);
-        const force = Math.hypot(forces[at], forces[at + 1], forces[at + 2]);
+        const force = sizeOf(forces, part.width, part.first + i);
         const share = force <= WEAK ? 0 : Math.min(1, Math.log(force / WEAK) / Math.log(STRONG / WEAK));
         lit ||= share > 0;
         color.setXYZW(i, 1, 0.85 * (1 - share), 0.2 * (1 - share), share > 0 ? 0.45 + 0.55 * share : 0);
@@ -191,6 +199,9 @@ export class Stage {
   }
 }
 
+const surface = (map, opacity) => new THREE.MeshLambertMaterial({ map, transparent: opacity < 1, opacity });
+const lights = () => new THREE.PointsMaterial({ size: 0.016, vertexColors: true, transparent: true, depthWrite: false });
+
 /** A node at a pose of glTF: position, and a quaternion x y z w. */
 function placed(node, [x, y, z, a, b, c, d]) {
   node.position.set(x, y, z);
@@ -241,6 +252,12 @@ function places(texture, texcoords) {
 }
 
 const clamped = (value, count) => Math.max(0, Math.min(count - 1, value));
+
+/** The size of a sensor's force, which has one number or three. */
+export function sizeOf(forces, width, sensor) {
+  const at = width * sensor;
+  return width === 1 ? forces[at] : Math.hypot(forces[at], forces[at + 1], forces[at + 2]);
+}
 
 /** A point of glTF's frame in the library's: x forward, z up. @param {{x: number, y: number, z: number}} point */
 export const toWorld = ({ x, y, z }) => [z, x, y];

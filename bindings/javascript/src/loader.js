@@ -16,8 +16,8 @@ const SIMD = Uint8Array.of(
 );
 
 /**
- * Where mimo.wasm is: its address, its bytes, or itself compiled.
- * @typedef {string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module} Source
+ * Where mimo.wasm is: its address, its bytes, an answer that has them, or itself compiled.
+ * @typedef {string | URL | ArrayBuffer | Uint8Array | Response | WebAssembly.Module} Source
  */
 
 /**
@@ -45,11 +45,14 @@ export async function instantiate(source = new URL("../mimo.wasm", import.meta.u
   return exports;
 }
 
-/** @param {string | URL | ArrayBuffer | Uint8Array} source */
+/** @param {string | URL | ArrayBuffer | Uint8Array | Response} source */
 async function compile(source) {
-  const bytes = typeof source === "string" || source instanceof URL ? await fetched(source) : source;
+  const given = typeof source === "string" || source instanceof URL ? await fetched(source) : source;
   try {
-    return await WebAssembly.compile(/** @type {BufferSource} */ (bytes));
+    if (!(given instanceof Response)) return await WebAssembly.compile(/** @type {BufferSource} */ (given));
+    // An engine compiles it as it comes, but takes it only by this type, which not all servers know.
+    const isNamed = given.headers.get("content-type") === "application/wasm";
+    return await (isNamed ? WebAssembly.compileStreaming(given) : WebAssembly.compile(await given.arrayBuffer()));
   } catch (error) {
     throw refused(error);
   }
@@ -71,7 +74,7 @@ async function fetched(address) {
       return await (await import("node:fs/promises")).readFile(url);
     }
     const answer = await fetch(url);
-    if (answer.ok) return await answer.arrayBuffer();
+    if (answer.ok) return answer;
     throw new Error(`the server answers ${answer.status}`);
   } catch (error) {
     const { message } = /** @type {Error} */ (error);
