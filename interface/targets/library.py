@@ -92,7 +92,8 @@ PLAIN = ("const char *", "double", "float", "int32_t", "uint32_t", "uint64_t", "
 def members(api):
     """Visitors of the members that are numbers and texts, by their names."""
     text = f"""// {NOTE}
-// Members of structs that are numbers, texts and arrays of numbers, visited with their names.
+// Members of structs that are numbers, texts and arrays of numbers, visited with their names, and with the same members
+// of other such structs.
 #pragma once
 
 #include "mimo/experimental.h"
@@ -100,10 +101,10 @@ def members(api):
 namespace mimo::capi {{
 """
     for struct in [one for one in api.structs if one.name in KEPT]:
-        visits = "".join(f'  visit("{name}", all.{name});\n' for name in plain_members(api, struct))
+        visits = "".join(f'  visit("{name}", all.{name}, others.{name}...);\n' for name in plain_members(api, struct))
         text += f"""
-template <typename Visit>
-void for_each_member({struct.name}& all, Visit&& visit) {{
+template <typename Visit, typename... Others>
+void for_each_member({struct.name}& all, Visit&& visit, const Others&... others) {{
 {visits}}}
 """
     return f"{text}\n{take_senses(api)}\n}}  // namespace mimo::capi\n"
@@ -236,11 +237,12 @@ def program_senses(api):
         f'    {{"{one.sense}", &mimo_agent_config::{one.sense}, {bits(api, one):#x}}},\n' for one in api.senses()
     )
     times = "".join(f'    {{"{one.sense}", &mimo_timing::{one.sense}}},\n' for one in timed(api))
+    words = "".join(words_of(api, enum) for enum in WORDS)
     config = api.struct("mimo_agent_config")
     numbers = [one.name for one in config.members if not one.array and one.type in ("double", "int32_t", "uint32_t")]
     visits = "".join(f'  visit("{name}", all.{name});\n' for name in numbers if name != "struct_size")
     return f"""// {NOTE}
-// The senses of an agent, the numbers of its config, and the parts of a step's time.
+// The senses of an agent, the numbers of its config, the parts of a step's time, and words for constants.
 #pragma once
 
 #include <cstdint>
@@ -264,7 +266,13 @@ struct Time {{
 constexpr Time kTimes[] = {{
     {{"physics", &mimo_timing::physics}},
 {times}}};
-// clang-format on
+
+// What options of the program call constants, in the order of the header.
+struct Word {{
+  const char* name;
+  std::uint32_t value;
+}};
+{words}// clang-format on
 
 template <typename Visit>
 void for_each_number(mimo_agent_config& all, Visit&& visit) {{
@@ -272,6 +280,23 @@ void for_each_number(mimo_agent_config& all, Visit&& visit) {{
 
 }}  // namespace cli
 """
+
+
+# Enumerations whose constants are words of the program's options.
+WORDS = ("Actuation", "GrowthModel", "Reflex", "Render", "Sex")
+
+
+def words_of(api, enum):
+    """`mujoco-muscle` of one value; of flags, which stand in lists with commas, `palmar_grasp`."""
+    one = api.enum(enum)
+    rows = ""
+    for name in one.constants:
+        word = one.word(name).lower()
+        if one.kind != "flags":
+            word = word.replace("_", "-")
+        if word not in ("all", "none", "felt"):
+            rows += f'    {{"{word}", {name}}},\n'
+    return f"constexpr Word k{enum}Words[] = {{\n{rows}}};\n"
 
 
 def listed(api, enum, name):

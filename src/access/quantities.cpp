@@ -71,7 +71,7 @@ bool is_fixed(const mjModel& model, int body) {
 void check_place(const World& world, int body, const double* /*values*/) {
   const mjModel& model = world.model();
   require(free_joint(model, body) >= 0 || is_fixed(model, body),
-          "body {} (\"{}\") cannot be moved: it has no free joint, and does not stand on the world by itself", body,
+          "body {} (\"{}\") cannot be moved: it has no free joint, and is not fixed to the world", body,
           engine::name(model, engine::Kind::kBody, body));
 }
 

@@ -26,7 +26,7 @@ void Random::load(ByteReader& from) {
   std::array<std::uint64_t, 4> state{};
   from.take(Span<std::uint64_t>(state));
   const bool zero = std::all_of(state.begin(), state.end(), [](std::uint64_t word) { return word == 0; });
-  require(!zero, "the state's random generator is all zero, which it never is");  // it would stay there
+  require(!zero, "the random generator in the state is all zeros, which no generator reaches");  // it would stay there
   state_ = state;
 }
 

@@ -56,13 +56,13 @@ void Batch::require_undisturbed() const { world(0).physics().require_undisturbed
 void Batch::require_idle() const {
   if (!busy_.load(std::memory_order_relaxed)) return;
   fail(Status::kBusy, "the batch is at work: {}",
-       works_on_this_thread() ? "a task cannot use the batch whose step it is part of"
+       works_on_this_thread() ? "a task cannot use the batch that runs it"
                               : "only mimo_batch_receive can follow mimo_batch_send");
 }
 
 void Batch::require_access(std::size_t world) const {
   if (!busy_.load(std::memory_order_relaxed) || is_at(world)) return;
-  fail(Status::kBusy, "world {} belongs to a batch that is at work: mimo_batch_receive comes first", world);
+  fail(Status::kBusy, "world {} belongs to a batch that is at work; call mimo_batch_receive first", world);
 }
 
 bool Batch::works_on_this_thread() const { return works_for(this); }

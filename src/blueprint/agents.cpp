@@ -18,14 +18,14 @@ void join_as_part(AgentPlan& plan) {
   const std::string& root = plan.options.root;
   require(plan.body == "scene", "root is \"{}\" and body is \"{}\"; a root needs body \"scene\"", root, plan.body);
   require(plan.acts == 0 || plan.acts == scene::kNoGroup,
-          "acts is {:#x}, but only infants have such parts; expected 0 or MIMO_ACT_NONE beside a root", plan.acts);
+          "acts is {:#x}, but only infants have these parts; with a root, expected 0 or MIMO_ACT_NONE", plan.acts);
   plan.options.actuation.none = plan.acts == scene::kNoGroup;
 }
 
 void join_as_infant(const AgentPlan& plan, scene::Scene& scene) {
   const std::string prefix = plan.options.prefix();
   require(plan.body != "scene" || !plan.place,
-          "place is {}, but the body is part of the scene; expected 0, where it stands there",
+          "place is {}, but the body is part of the scene; expected 0, its place in the scene",
           static_cast<int>(plan.place->anchor));
   if (plan.body == "scene") return scene.choose_motors(prefix, plan.acts);
   const document::Place place = plan.place.value_or(document::Place{});

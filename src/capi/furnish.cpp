@@ -40,10 +40,10 @@ scene::ObjectShape shape_from(std::int32_t shape) {
 const char* sizes_of(scene::ObjectShape shape) {
   switch (shape) {
     case scene::ObjectShape::kSphere: return "of a sphere its radius";
-    case scene::ObjectShape::kCapsule: return "of a capsule its radius and half the length of its cylinder";
-    case scene::ObjectShape::kCylinder: return "of a cylinder its radius and half its length";
-    case scene::ObjectShape::kEllipsoid: return "of an ellipsoid its three radii";
-    case scene::ObjectShape::kBox: return "of a box half of each of its three edges";
+    case scene::ObjectShape::kCapsule: return "for a capsule its radius and half the length of its cylinder";
+    case scene::ObjectShape::kCylinder: return "for a cylinder its radius and half its length";
+    case scene::ObjectShape::kEllipsoid: return "for an ellipsoid its three radii";
+    case scene::ObjectShape::kBox: return "for a box half of each of its three edges";
   }
   return "";
 }

@@ -35,7 +35,7 @@ void add(mimo_recording* recording, const SensePlanPtr& plan) {
 
 RunningSense& sense_of(const mimo_env* env) {
   RunningSense* const sense = open(env).sense;
-  require(sense != nullptr, "env is a world, expected the one that a function of a sense is given");
+  require(sense != nullptr, "env is a world, expected the handle that the library passes to a function of a sense");
   return *sense;
 }
 

@@ -2,6 +2,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <string_view>
 
 #include "base/format.h"
 #include "capi/calls.h"
@@ -64,8 +65,8 @@ class Arguments {
       take(*found, member, value);
     });
     if (known == json.parts.size()) return;
-    fail(Status::kUnsupported, "the recording was made by a newer library: \"{}\" has members that are not known here",
-         name);
+    fail(Status::kUnsupported,
+         "the recording was made by a newer library: \"{}\" has members that this library does not know", name);
   }
   const char* text_of(const ReadJson& json, const char* name) {
     if (!json.is(ReadJson::Kind::kText)) fail_damaged(format("\"{}\" is no text", name));
@@ -304,7 +305,8 @@ void RecordedScene::call(const ReadJson& call) {
   for (const auto& [known, make] : kCalls) {
     if (name == known) return (this->*make)(given);
   }
-  fail(Status::kUnsupported, "the recording was made by a newer library: \"{}\" is not known here", name);
+  fail(Status::kUnsupported,
+       "the recording was made by a newer library: \"{}\" is a call that this library does not know", name);
 }
 
 std::vector<ReadJson> calls_of(const recording::Recording& recording) {
@@ -314,27 +316,31 @@ std::vector<ReadJson> calls_of(const recording::Recording& recording) {
   return std::move(calls->parts);
 }
 
-// What a caller may choose of it.
+// Callers may choose these members of mimo_env_config, and the log; all others come from the recording.
+constexpr std::string_view kChosen[] = {"renderer", "timing", "render", "samples", "render_threads", "step_contacts"};
+
+template <typename T>
+bool is_same(const T& one, const T& other) {
+  if constexpr (std::is_same_v<T, const char*>) {
+    return text(one) == text(other);
+  } else {
+    return one == other;
+  }
+}
+
 mimo_env_config chosen(const RecordedScene& scene, const std::optional<mimo_env_config>& given) {
   mimo_env_config config = scene.config();
   config.renderer = scene.renderer();
   config.task = scene.task();
   if (!given) return config;
-  const mimo_env_config& wanted = *given;
-  const auto leave = [](bool left, const char* name) {
-    require(left, "config: {} comes from the recording; leave it as mimo_env_config_init sets it", name);
+  mimo_env_config own = *given;
+  const auto take = [](const char* name, auto& value, const auto& recorded, const auto& usual) {
+    if (std::find(std::begin(kChosen), std::end(kChosen), name) != std::end(kChosen)) return;
+    require(is_same(value, usual), "config: {} comes from the recording; leave it as mimo_env_config_init sets it",
+            name);
+    value = recorded;
   };
-  leave(wanted.frame_skip == 0, "frame_skip");
-  leave(wanted.jacobian == MIMO_JACOBIAN_MODEL, "jacobian");
-  leave(wanted.disable == 0, "disable");
-  leave(wanted.max_steps == 0, "max_steps");
-  leave(text(wanted.task).empty(), "task");
-  mimo_env_config own = wanted;
-  own.frame_skip = config.frame_skip;
-  own.jacobian = config.jacobian;
-  own.disable = config.disable;
-  own.max_steps = config.max_steps;
-  own.task = config.task;
+  for_each_member(own, take, config, default_env_config());
   return own;
 }
 

@@ -316,10 +316,10 @@ CLI::Option* add_follow_options(CLI::App& command, FollowOptions& options) {
   command.add_option("--rate", options.skeleton.rate, "Frames a second, of DeepLabCut, OpenPose and MINI-RGBD")
       ->type_name("HZ")
       ->check(number(1e-3, 1e6));
-  command.add_flag("--robust", options.skeleton.robust, "Believe points less that are far off");
+  command.add_flag("--robust", options.skeleton.robust, "Give less weight to points that are far off");
   command
       .add_option("--cutoff", options.cutoff,
-                  "Filter the movement: keep what is slower; 6 is usual. Default: no filter")
+                  "Filter the movement: remove what is faster; 6 is usual. Default: no filter")
       ->type_name("HZ")
       ->check(number(1e-3, 1e6));
   command.add_flag("--degrees", options.degrees, "Angles of the table are degrees");

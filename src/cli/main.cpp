@@ -29,8 +29,11 @@ void describe(CLI::App& program) {
 
 // Here and not by require_subcommand(1), which hides what it met instead of a command.
 void require_command(const CLI::App& program) {
-  if (program.get_subcommands().empty())
-    throw CLI::RequiredError("a command (run, info, render, rollout, export, record, replay or new)");
+  if (!program.get_subcommands().empty()) return;
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands({}))
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  throw CLI::RequiredError("a command (" + names + ")");
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ void write_folder(const std::string& name, const Files& files) {
     throw Failure("NAME is \"" + name + "\", expected lower-case letters, digits and _, with a letter first");
   }
   std::error_code error;
-  if (fs::exists(fs::symlink_status(name, error))) throw Failure(name + " is there already; nothing is written over");
+  if (fs::exists(fs::symlink_status(name, error))) throw Failure(name + " exists already and is not overwritten");
   if (!fs::create_directory(name, error)) throw Failure(name + " cannot be made: " + error.message());
   try {
     for (const auto& [file, text] : files) write_file(name + "/" + filled_in(file, name), filled_in(text, name));

@@ -70,7 +70,7 @@ CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options) {
       ->type_name("S")
       ->check(number(mimo::ranges::recorder_config::state_seconds))
       ->capture_default_str();
-  command.add_option("--flush-every", options.flush_every, "Real time after which everything is safe on disk")
+  command.add_option("--flush-every", options.flush_every, "Real time between writes to the disk")
       ->type_name("S")
       ->check(number(mimo::ranges::recorder_config::flush_seconds))
       ->capture_default_str();
@@ -78,7 +78,7 @@ CLI::Option* add_recorder_options(CLI::App& command, RecorderOptions& options) {
       ->type_name("N")
       ->check(count(mimo::ranges::recorder_config::compression))
       ->capture_default_str();
-  command.add_flag("--replace", options.replace, "Replace a whole recording that is there. Default: it is an error");
+  command.add_flag("--replace", options.replace, "Replace a complete recording of that name. Default: an error");
   return command.add_option("--out", options.out, "The recording")->type_name("FILE.h5");
 }
 

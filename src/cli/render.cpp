@@ -95,7 +95,7 @@ void add_camera_options(CLI::App& command, RenderOptions& options) {
           ->check(number(-1e6, 1e6))
           ->option_text("DEG")};
   for (CLI::Option* option : free)
-    option->group("Free camera; by default it shows the infants and what is around them")->excludes(camera);
+    option->group("Free camera. Default: shows the infants and their surroundings")->excludes(camera);
 }
 
 void add_size_option(CLI::App& command, const std::string& name, std::uint32_t& value) {

@@ -52,7 +52,7 @@ std::uint64_t seed_of(const std::string& file, std::string_view words) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), seed);
   if (error == std::errc() && end == words.data() + words.size()) return seed;
-  throw Failure(file + " is not a whole recording: its attribute 'seed' is not a whole number");
+  throw Failure(file + " is not a complete recording: its attribute 'seed' is not a whole number");
 }
 
 Replay::Replay(const ReplayOptions& options, const CLI::App& command)
@@ -162,7 +162,7 @@ void add_replay(CLI::App& program) {
       ->check(number(0, 1e9));
   add_recorded_options(*command, options->follow.world);
   CLI::Option* joints = command->add_flag("--by-joints", options->by_joints,
-                                          "Put joints where they were instead of stepping; for recordings of "
+                                          "Set the joints' recorded positions instead of stepping; for recordings of "
                                           "another\nmodel or version, whose states do not "
                                           "fit. Senses with a memory start afresh");
   add_recorder_options(*command, options->recorder);

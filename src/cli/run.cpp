@@ -184,7 +184,7 @@ void Run::report() const {
     const auto peak = static_cast<double>(wave_->peak());
     std::cout << text("\nsound of both ears of the first infant: %s, peak %.3g Pa; full scale is %g Pa%s\n",
                       options_.sound.c_str(), peak, options_.full_scale,
-                      peak > options_.full_scale ? ", what is louder is cut: --full-scale" : "");
+                      peak > options_.full_scale ? ", louder sound is clipped: see --full-scale" : "");
   }
   std::cout << "\npictures\n";
   pictures_.print(std::cout);
@@ -205,7 +205,7 @@ void add_run(CLI::App& program) {
   add_touch_option(*command, options->world);
   add_face_option(*command, options->world);
   add_seed_option(*command, options->world);
-  command->add_option("--out", options->out, "Folder for the pictures; made if it is not there")
+  command->add_option("--out", options->out, "Folder for the pictures, which is made if necessary")
       ->type_name("DIR")
       ->capture_default_str();
   add_senses_option(*command, options->world);
@@ -214,12 +214,12 @@ void add_run(CLI::App& program) {
   add_voice_option(*command, options->world);
   command
       ->add_option("--sound", options->sound,
-                   "Also write what both ears of the first infant hear, as a WAV file;\nears are on then")
+                   "Also write what both ears of the first infant hear, as a WAV file;\nswitches the ears on")
       ->type_name("FILE")
       ->check(CLI::Validator(check_wav, ""));
   command
       ->add_option("--full-scale", options->full_scale,
-                   "Sound pressure that is the largest number of that file; what is louder\nis cut. A cry reaches 13 "
+                   "Sound pressure of the largest number in that file; louder sound is\nclipped. A cry reaches 13 "
                    "at the own ears")
       ->type_name("PA")
       ->check(number(1e-4, 1000))

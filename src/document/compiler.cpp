@@ -83,7 +83,8 @@ void replace_euler(pugi::xml_node root, const std::string& what) {
     const pugi::xml_attribute euler = node.attribute("euler");
     if (euler.empty()) return;
     if (in_defaults(node)) {
-      fail(Status::kUnsupported, "{}: it has euler=\"{}\" in a default class and another eulerseq than the scene", what,
+      fail(Status::kUnsupported,
+           "{}: it has euler=\"{}\" in a default class, and its eulerseq differs from the scene's", what,
            euler.value());
     }
     const std::vector<double> angles = numbers(euler);
@@ -218,7 +219,7 @@ void adapt(pugi::xml_node guest, pugi::xml_node host, const std::string& what) {
   require_local_coordinates(guest, what);
   const bool other_unit = in_radians(guest) != in_radians(host);
   if (other_unit && has_composite(guest)) {
-    fail(Status::kUnsupported, "{} has a composite and another angle unit than the scene", what);
+    fail(Status::kUnsupported, "{} has a composite, and its unit of angles differs from the scene's", what);
   }
   if (euler_order(guest) != euler_order(host)) replace_euler(guest, what);
   if (other_unit) convert_angles(guest, in_radians(host) ? kDegree : 1 / kDegree);

@@ -40,7 +40,7 @@ LoadedFile::LoadedFile(pugi::xml_node asset, const char* attribute, const Limits
   built_in_ = begins_with(path_, prefix) && !built_in_file(path_.substr(prefix.size())).empty();
   if (built_in_) return;
   constexpr std::size_t kShortest = 4;  // MuJoCo looks for an ending of that length
-  if (path_.size() < kShortest) refuse("has a name without an ending");
+  if (path_.size() < kShortest) refuse("has a name without an extension");
   std::optional<std::string> content = read(path_, limits);
   if (!content) refuse("cannot be read");
   bytes_ = std::move(*content);

@@ -76,7 +76,7 @@ void replace_collisions(pugi::xml_node root, Report& report) {
     if (!option.attribute("collision")) continue;
     chosen = option.attribute("collision").value();
     option.remove_attribute("collision");
-    report.add(option, about("option", "collision") + "its geoms and pairs say the same now");
+    report.add(option, about("option", "collision") + "its effect is now in the attributes of geoms and pairs");
   }
   if (chosen == "predefined") {
     visit_geoms(root, [](pugi::xml_node geom) {
@@ -102,7 +102,7 @@ void replace_exact_inertias(pugi::xml_node root, Report& report) {
     if (!compiler.attribute("exactmeshinertia")) continue;
     exact = compiler.attribute("exactmeshinertia").value();
     compiler.remove_attribute("exactmeshinertia");
-    report.add(compiler, about("compiler", "exactmeshinertia") + "it is inertia of its meshes now");
+    report.add(compiler, about("compiler", "exactmeshinertia") + "the attribute inertia of its meshes replaces it");
   }
   if (exact.empty()) return;
   visit_meshes(root, [&](pugi::xml_node mesh) {

@@ -329,7 +329,7 @@ void save(const Package& package, const std::string& folder) {
       continue;
     }
     if (read_from_disk(file.path.string(), kAnySize) == file.bytes) continue;
-    fail(Status::kFile, "folder: {} is there with other content, and is not overwritten; give a new folder",
+    fail(Status::kFile, "folder: {} already exists with other content and is not overwritten; give a new folder",
          file.path.string());
   }
   if (missing.empty()) return;

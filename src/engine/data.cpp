@@ -284,7 +284,7 @@ int first_bad(const double* values, int count) {
 
 ModelPtr adopt(const HostModel& host) {
   if (host.version != mjVERSION_HEADER) {
-    fail(Status::kUnsupported, "mujoco_version is {}, but libmimo runs on MuJoCo {} ({}), and models are not the same",
+    fail(Status::kUnsupported, "mujoco_version is {}, but libmimo runs on MuJoCo {} ({}), whose models differ",
          host.version, mujoco_version(), mjVERSION_HEADER);
   }
   check_size("model_size: mjModel", host.model_size, sizeof(mjModel));

@@ -81,8 +81,8 @@ void add(Warning kind, WarningCounts& counts) { ++counts[static_cast<std::size_t
 CompileLock::CompileLock() {
   if (stuck) {
     fail(Status::kForked,
-         "this process was forked while another thread compiled a model, and MuJoCo's compiler is locked in it "
-         "forever; fork at another time, or spawn instead of forking");
+         "this process was forked while another thread compiled a model, so MuJoCo's compiler stays locked in "
+         "it; fork at another time, or spawn a process instead");
   }
   while (forks > 0) std::this_thread::sleep_for(kNap);  // they have waited longer
   mutex.lock();
@@ -99,7 +99,7 @@ void refuse_callbacks(const mjModel* model) {
   if (name == nullptr) return;
   const bool table = std::strcmp(name, "mjCOLLISIONFUNC") == 0;
   fail(Status::kUnsupported,
-       "the program has {} MuJoCo's global {}, which would act on libmimo's worlds, too: {} while libmimo is called",
+       "the program has {} MuJoCo's global {}, which also acts on libmimo's worlds: {} before each call of libmimo",
        table ? "changed" : "set", name, table ? "restore it" : "set it to NULL");
 }
 

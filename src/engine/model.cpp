@@ -51,8 +51,8 @@ void require_plain_streams() {
   const std::locale locale;
   if (std::use_facet<std::numpunct<char>>(locale).decimal_point() == '.') return;
   fail(Status::kUnsupported,
-       "the program's C++ locale \"{}\" (set by std::locale::global) has no decimal point, and MuJoCo's XML reader "
-       "obeys it; set one that has a point, at least for std::locale::numeric, before worlds are made",
+       "the program's C++ locale \"{}\" (set by std::locale::global) does not write decimal points, and MuJoCo's XML "
+       "reader follows it; before making worlds, set a locale whose std::locale::numeric has a point",
        locale.name());
 }
 
@@ -62,9 +62,9 @@ void require_our_mujoco() {
   const int found = mj_version();
   if (found == mjVERSION_HEADER) return;
   fail(Status::kUnsupported,
-       "libmimo was made for MuJoCo {}, but got MuJoCo {}: either it lies in libmimo's folder in place of the one that "
-       "came with it, or the program has it in its global scope, which comes first; load that one with RTLD_LOCAL, or "
-       "libmimo with RTLD_DEEPBIND",
+       "libmimo was built for MuJoCo {}, but found MuJoCo {}: either that version has replaced the one in libmimo's "
+       "folder, or the program has loaded it globally, which takes precedence; load it with RTLD_LOCAL, or libmimo "
+       "with RTLD_DEEPBIND",
        compiled_version(), mj_versionString());
 }
 

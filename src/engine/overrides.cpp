@@ -142,7 +142,7 @@ void Constants::derive() {
   visit_derived(model_, [&](auto array, int count) {
     sound = sound && std::all_of(model_.*array, model_.*array + count, [](double x) { return std::isfinite(x); });
   });
-  require(sound, "values: masses that MuJoCo cannot calculate with");
+  require(sound, "values: MuJoCo cannot calculate with these masses");
 }
 
 void Constants::copy_to(mjModel& model) const {

@@ -123,7 +123,7 @@ void World::let_own_senses_complain() const {
 }
 
 void World::require_outside_task() const {
-  if (in_task_) fail(Status::kBusy, "a task may not reset, step or load the world that it is at work in");
+  if (in_task_) fail(Status::kBusy, "a task may not reset, step or load the world that runs it");
 }
 
 void World::succeed(const World& before) {

@@ -54,7 +54,7 @@ std::string unexpected(const CLI::App& program) {
   const auto has_option = [&](const CLI::App* command) { return command->get_option_no_throw(option) != nullptr; };
   const std::vector<const CLI::App*> commands = at.get_subcommands({});
   if (option.rfind('-', 0) != 0) {
-    return commands.empty() ? "'" + argument + "' was not expected, only options"
+    return commands.empty() ? "'" + argument + "' is not an option; this command takes only options"
                             : "there is no command " + argument + did_you_mean(argument, commands_of(at));
   }
   if (const auto found = std::find_if(commands.begin(), commands.end(), has_option); found != commands.end()) {

@@ -16,16 +16,24 @@
 namespace cli {
 namespace {
 
-// Words for constants, in their order.
-const std::vector<std::string> kSexes = {"mean", "female", "male"};
-const std::vector<std::string> kGrowths = {"who", "original"};
+template <std::size_t kCount>
+std::vector<std::string> names_of(const Word (&words)[kCount]) {
+  std::vector<std::string> names;
+  for (const Word& word : words) names.emplace_back(word.name);
+  return names;
+}
 
-std::int32_t place_of(const std::string& word, const std::vector<std::string>& words) {
-  return static_cast<std::int32_t>(std::find(words.begin(), words.end(), word) - words.begin());
+template <std::size_t kCount>
+std::optional<std::uint32_t> value_of(const Word (&words)[kCount], const std::string& name) {
+  for (const Word& word : words) {
+    if (name == word.name) return word.value;
+  }
+  return std::nullopt;
 }
 
 bool is_given(const AgeOptions& it) {
-  return it.age || it.physiological_age || it.sex != kSexes[0] || it.growth != kGrowths[0] || it.percentile != 0 ||
+  const AgeOptions usual;
+  return it.age || it.physiological_age || it.sex != usual.sex || it.growth != usual.growth || it.percentile != 0 ||
          it.z_length != 0 || it.z_weight != 0 || it.z_head != 0;
 }
 
@@ -39,14 +47,28 @@ bool is_builtin(const std::string& scene) {
   return std::find(names.begin(), names.end(), scene) != names.end();
 }
 
-// What is no built-in name and looks like a path is one; the library complains best about anything else.
+// A path looks like one and is no built-in name. For anything else, the library has the best message.
 bool is_file(const std::string& scene) {
   return !is_builtin(scene) && scene.find_first_of("./\\") != std::string::npos;
 }
 
-std::string list(const std::vector<std::string>& names) {
+std::string list(const std::vector<std::string>& names, const char* comma = ", ") {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) text += (text.empty() ? "" : comma) + name;
+  return text;
+}
+
+// Broken into lines that fit beside the options.
+std::string list_in_help(const std::vector<std::string>& names) {
+  constexpr std::size_t kLongest = 60;
+  std::string text;
+  std::size_t line = 0;
+  for (const std::string& name : names) {
+    if (line + name.size() > kLongest) text += '\n', line = 0;
+    text += name + ',';
+    line += name.size() + 1;
+  }
+  text.pop_back();
   return text;
 }
 
@@ -79,14 +101,6 @@ std::string body_of_scene(const WorldOptions& options, const mimo_agent_config& 
   return is_file(options.scene) || !options.body.empty() ? options.body : usual.body;
 }
 
-// Words for MIMO_ACTUATION_ constants, in their order.
-const std::vector<std::string> kActuations = {"torque", "position", "muscle", "mujoco-muscle"};
-
-std::uint32_t actuation(const WorldOptions& options, const mimo_agent_config& usual) {
-  const auto found = std::find(kActuations.begin(), kActuations.end(), options.actuation);
-  return found == kActuations.end() ? usual.actuation : static_cast<std::uint32_t>(found - kActuations.begin());
-}
-
 std::uint32_t pixels(const WorldOptions& options) {
   if (options.vision == "off") return 0;
   return options.vision.empty() ? 256 : static_cast<std::uint32_t>(std::stoul(options.vision));
@@ -111,40 +125,12 @@ std::string check_touch(const std::string& text) {
   return text == "off" ? "" : check_number(text, range.low, range.high, "'off' or ");
 }
 
-// The parser alone would take -1 and make something of it.
+// The parser alone would convert -1 to a huge number.
 std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), seed);
   const bool good = result.ec == std::errc() && result.ptr == text.data() + text.size();
   return good ? "" : "expected a whole number from 0 to 18446744073709551615, not '" + text + "'";
-}
-
-struct Word {
-  const char* name;
-  std::uint32_t bit;
-};
-
-constexpr Word kEffects[] = {{"shadows", MIMO_RENDER_SHADOWS},
-                             {"reflections", MIMO_RENDER_REFLECTIONS},
-                             {"sky", MIMO_RENDER_SKY},
-                             {"haze", MIMO_RENDER_HAZE},
-                             {"fog", MIMO_RENDER_FOG}};
-
-constexpr Word kReflexes[] = {{"palmar_grasp", MIMO_REFLEX_PALMAR_GRASP},
-                              {"plantar_grasp", MIMO_REFLEX_PLANTAR_GRASP},
-                              {"rooting", MIMO_REFLEX_ROOTING},
-                              {"moro", MIMO_REFLEX_MORO},
-                              {"asymmetric_tonic_neck", MIMO_REFLEX_ASYMMETRIC_TONIC_NECK},
-                              {"stepping", MIMO_REFLEX_STEPPING},
-                              {"withdrawal", MIMO_REFLEX_WITHDRAWAL},
-                              {"all", MIMO_REFLEX_ALL}};
-
-template <std::size_t kCount>
-std::uint32_t bit_of(const Word (&words)[kCount], const std::string& name) {
-  for (const Word& word : words) {
-    if (name == word.name) return word.bit;
-  }
-  return 0;
 }
 
 // The bits of a list of words; nothing where one is unknown.
@@ -153,23 +139,26 @@ std::optional<std::uint32_t> bits_of(const Word (&words)[kCount], const std::str
   std::uint32_t bits = 0;
   if (list == "none") return bits;
   for (const std::string& part : parts_of(list)) {
-    const std::uint32_t bit = bit_of(words, part);
-    if (bit == 0) return std::nullopt;
-    bits |= bit;
+    const std::optional<std::uint32_t> bit = value_of(words, part);
+    if (!bit) return std::nullopt;
+    bits |= *bit;
   }
   return bits;
 }
 
-std::string check_reflexes(const std::string& list) {
-  if (bits_of(kReflexes, list)) return "";
-  return "expected 'all', 'none' or a list of palmar_grasp, plantar_grasp, rooting, moro, asymmetric_tonic_neck, "
-         "stepping and withdrawal with commas between, not '" +
-         list + "'";
+std::optional<std::uint32_t> reflexes_of(const std::string& list) {
+  return list == "all" ? MIMO_REFLEX_ALL : bits_of(kReflexWords, list);
 }
 
-std::string check_effects(const std::string& list) {
-  if (bits_of(kEffects, list)) return "";
-  return "expected 'none' or a list of shadows, reflections, sky, haze and fog with commas between, not '" + list + "'";
+std::string check_reflexes(const std::string& given) {
+  if (reflexes_of(given)) return "";
+  return "expected all, none or a list of " + list(names_of(kReflexWords)) + ", separated by commas, not '" + given +
+         "'";
+}
+
+std::string check_effects(const std::string& given) {
+  if (bits_of(kRenderWords, given)) return "";
+  return "expected none or a list of " + list(names_of(kRenderWords)) + ", separated by commas, not '" + given + "'";
 }
 
 void set_vision(std::uint32_t size, mimo_agent_config& agent) {
@@ -182,7 +171,7 @@ void set_touch(const std::string& touch, mimo_agent_config& agent) {
   if (agent.touch != 0) agent.touch_scale = std::stod(touch);
 }
 
-// All receptors of the senses that there are, and the senses that are off by default.
+// Switches on all receptors of the agent's senses, and the senses that are off by default.
 void add_receptors(mimo_agent_config& agent) {
   const mimo_agent_config usual = mimo::agent_config();
   constexpr std::uint32_t kForces = MIMO_TOUCH_FORCE | MIMO_TOUCH_NORMAL_FORCE;  // exclude each other
@@ -195,13 +184,13 @@ void add_receptors(mimo_agent_config& agent) {
   agent.proprioception = MIMO_PROPRIOCEPTION_ALL;
 }
 
-// "strength=0.7" as a name and a number, which there may not be.
+// "strength=0.7" as a name and a number; no number where the text has none.
 std::pair<std::string, std::optional<double>> parts_of_setting(const std::string& setting) {
   const std::size_t equals = std::min(setting.find('='), setting.size());
   return {setting.substr(0, equals), finite_number(equals == setting.size() ? "" : setting.substr(equals + 1))};
 }
 
-// Sets "strength=0.7". The name of what it sets; "" where there is no such number or it cannot be so.
+// Sets "strength=0.7". Returns the name of the number; "" if no number has it, or cannot have the value.
 std::string set_number(mimo_agent_config& agent, const std::string& setting) {
   const auto [name, value] = parts_of_setting(setting);
   std::string done;
@@ -230,7 +219,7 @@ std::string check_parameter(const std::string& setting) {
   return !name.empty() && value ? "" : "expected NAME=VALUE with a number, not '" + setting + "'";
 }
 
-// Each infant gets the senses of the user's own.
+// Gives each infant the user's own senses.
 void add_own(const WorldOptions& options, std::size_t agents, mimo::Scene& scene) {
   for (const std::string& library : options.own_senses) {
     for (std::size_t agent = 0; agent < agents; ++agent) scene.load_sense(library, agent);
@@ -244,7 +233,7 @@ void add_own(const WorldOptions& options, std::size_t agents, mimo::Scene& scene
 mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const mimo_agent_config& usual) {
   const bool own = senses == Senses::kOwn;
   auto agent = own ? usual : mimo::agent_config();
-  agent.actuation = actuation(options, usual);
+  agent.actuation = value_of(kActuationWords, options.actuation).value_or(usual.actuation);
   if (!own || !options.vision.empty()) set_vision(senses == Senses::kAllButVision ? 0 : pixels(options), agent);
   if (options.eye_width != 0) {
     agent.vision = MIMO_VISION_RGB;
@@ -255,7 +244,7 @@ mimo_agent_config agent_config(const WorldOptions& options, Senses senses, const
   if (!own || !options.touch.empty()) set_touch(options.touch, agent);
   if (!options.face.empty()) agent.face = options.face.c_str();
   if (options.every_sense) add_receptors(agent);
-  agent.reflexes = bits_of(kReflexes, options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
+  agent.reflexes = reflexes_of(options.reflexes).value_or(0) | (options.every_sense ? MIMO_REFLEX_FELT : 0U);
   agent.voice = options.voice ? 1 : 0;
   if (options.hearing) agent.hearing = MIMO_HEARING_EARS | MIMO_HEARING_BANDS;
   for (const std::string& setting : options.settings) set_number(agent, setting);
@@ -273,31 +262,31 @@ void add_age_options(CLI::App& command, AgeOptions& options) {
       ->check(number(0, 24));
   command
       .add_option("--physiological-age", options.physiological_age,
-                  "Of strength, range of motion and tone. Default: the age")
+                  "Age of strength, range of motion and tone. Default: --age")
       ->type_name("MONTHS")
       ->check(number(0, 24));
-  command.add_option("--sex", options.sex, "mean, female or male")
+  command.add_option("--sex", options.sex, "Sex of the infants: " + list(names_of(kSexWords)))
       ->type_name("SEX")
-      ->check(CLI::IsMember(kSexes).description(""))
+      ->check(CLI::IsMember(names_of(kSexWords)).description(""))
       ->capture_default_str();
   command
       .add_option("--percentile", options.percentile,
-                  "Of length, weight and head at that age and sex, 1 to 99.865 percent.\nDefault: 50")
+                  "Percentile of length, weight and head at that age and sex,\n1 to 99.865. Default: 50")
       ->type_name("P")
       ->check(number(1, 99.865));
   const auto add_z = [&](const char* name, double& z, const char* what) {
-    command.add_option(name, z, std::string(what) + " from the median, in standard deviations, -3 to 3")
+    command.add_option(name, z, std::string(what) + ": standard deviations from the median, -3 to 3")
         ->type_name("Z")
         ->check(number(-3, 3));
   };
-  add_z("--z-length", options.z_length, "How far length is");
-  add_z("--z-weight", options.z_weight, "How far weight is");
-  add_z("--z-head", options.z_head, "How far the head's circumference is");
+  add_z("--z-length", options.z_length, "Length");
+  add_z("--z-weight", options.z_weight, "Weight");
+  add_z("--z-head", options.z_head, "Circumference of the head");
   command
       .add_option("--growth", options.growth,
-                  "Where sizes come from: who, the WHO's standards of growth, or\noriginal, the rules of MIMo v2")
+                  "Source of sizes: who, the WHO's standards of growth, or original,\nthe rules of MIMo v2")
       ->type_name("NAME")
-      ->check(CLI::IsMember(kGrowths).description(""))
+      ->check(CLI::IsMember(names_of(kGrowthModelWords)).description(""))
       ->capture_default_str();
 }
 
@@ -311,10 +300,11 @@ void add_maturity_options(CLI::App& command, AgeOptions& options) {
         ->check(CLI::IsMember(std::vector<std::string>{"age", off}).description(""));
   };
   add("--eyes", options.eyes, "perfect",
-      "With an age: age, eyes that are as old, or perfect. Pictures through\ntheir cameras are as they see. Default: "
+      "With an age: age, for eyes of that age, or perfect. Pictures through\ntheir cameras show what they see. "
+      "Default: "
       "age");
   add("--delays", options.delays, "none",
-      "With an age: age, nerves that are as old, or none, which take\nno time. Default: age");
+      "With an age: age, for nerves of that age, or none, for no delays.\nDefault: age");
 }
 
 std::optional<mimo_growth> growth_of(const AgeOptions& options) {
@@ -323,8 +313,8 @@ std::optional<mimo_growth> growth_of(const AgeOptions& options) {
   growth.age = options.age.value_or(growth.age);
   growth.matures_apart = options.physiological_age.has_value();
   growth.physiological_age = options.physiological_age.value_or(0);
-  growth.sex = place_of(options.sex, kSexes);
-  growth.model = place_of(options.growth, kGrowths);
+  growth.sex = static_cast<std::int32_t>(value_of(kSexWords, options.sex).value_or(0));
+  growth.model = static_cast<std::int32_t>(value_of(kGrowthModelWords, options.growth).value_or(0));
   growth.percentile = options.percentile;
   growth.z_length = options.z_length;
   growth.z_weight = options.z_weight;
@@ -370,14 +360,15 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--body", options.body,
                   "Body of the infant: mitten or fingers; mitten-mirrored or\n"
-                  "fingers-mirrored for one whose left is the image of its right. A\n"
-                  "file that holds an infant keeps that one; a file without gets one\n"
-                  "only if this is given")
+                  "fingers-mirrored, whose left side mirrors the right one. A file\n"
+                  "with an infant keeps that infant; a file without one gets an\n"
+                  "infant only with this option")
       ->type_name("BODY");
   command
-      .add_option("--set", options.settings,
-                  "A number of the infant, by its name in mimo_agent_config, as\nstrength=0.7; counts more than other "
-                  "options; may be given several times")
+      .add_option(
+          "--set", options.settings,
+          "A number of the infant, by its name in mimo_agent_config, as\nstrength=0.7; overrides other options; "
+          "may be given several times")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false)
       ->check(CLI::Validator(check_setting, ""));
@@ -385,7 +376,9 @@ void add_scene_options(CLI::App& command, WorldOptions& options) {
 }
 
 void add_vision_options(CLI::App& command, WorldOptions& options, const std::string& usual) {
-  command.add_option("--vision", options.vision, "Pixels a side of each eye's picture, or off.\nDefault: " + usual)
+  command
+      .add_option("--vision", options.vision,
+                  "Width and height of each eye's picture in pixels, or off.\nDefault: " + usual)
       ->type_name("PX|off")
       ->check(CLI::Validator(check_vision, ""));
   add_renderer_option(command, options);
@@ -394,7 +387,7 @@ void add_vision_options(CLI::App& command, WorldOptions& options, const std::str
 void add_foveation_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--foveation", options.foveation,
-                  "Show the middle of what is seen L / ln(1 + L) times as large, the\nrim small, 0.01 to 100. Default: "
+                  "Enlarge the middle of the picture L / ln(1 + L) times and shrink\nthe rim, 0.01 to 100. Default: "
                   "as drawn")
       ->type_name("L")
       ->check(number(0.01, 100));
@@ -402,27 +395,29 @@ void add_foveation_option(CLI::App& command, WorldOptions& options) {
 
 void add_touch_option(CLI::App& command, WorldOptions& options) {
   command
-      .add_option("--touch", options.touch,
-                  "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. " +
-                      std::string(options.touch.empty() ? "Default: the scene's own" : "Pictures show what they feel"))
+      .add_option(
+          "--touch", options.touch,
+          "Density of the touch sensors, 2 for half the usual distances\nbetween them, or off. " +
+              std::string(options.touch.empty() ? "Default: the scene's own" : "Pictures show what the sensors feel"))
       ->type_name("SCALE|off")
       ->check(CLI::Validator(check_touch, ""))
       ->capture_default_str();
 }
 
 void add_renderer_option(CLI::App& command, WorldOptions& options) {
-  command.add_option("--renderer", options.renderer, "What draws pictures: auto, ray, osmesa or gl")
+  command.add_option("--renderer", options.renderer, "Renderer of pictures: auto, ray, osmesa or gl")
       ->type_name("NAME")
       ->capture_default_str();
   command
       .add_option(
           "--samples", options.samples,
-          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, what the scene says with OpenGL")
+          "Samples a pixel, for smooth edges: 1, 4, 16 or 64. Default: 1\nwith rays, the scene's own with OpenGL")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4, 16, 64}).description(""));
   command
-      .add_option("--effects", options.effects,
-                  "What pictures show: none, or a list of shadows,reflections,sky,haze,fog.\nDefault: all but fog")
+      .add_option(
+          "--effects", options.effects,
+          "What pictures show: none, or a list of " + list(names_of(kRenderWords), ",") + ".\nDefault: all except fog")
       ->type_name("LIST")
       ->check(CLI::Validator(check_effects, ""));
   command.add_option("--render-threads", options.render_threads, "Threads that draw one picture, with rays: 1 to 64")
@@ -434,10 +429,10 @@ void add_renderer_option(CLI::App& command, WorldOptions& options) {
 void add_actuation_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--actuation", options.actuation,
-                  "What actions are: torque, position, muscle or mujoco-muscle.\nDefault: " +
-                      (options.actuation.empty() ? "the scene's own" : options.actuation))
+                  "What actions are: " + list(names_of(kActuationWords)) +
+                      ".\nDefault: " + (options.actuation.empty() ? "the scene's own" : options.actuation))
       ->type_name("NAME")
-      ->check(CLI::IsMember(kActuations));
+      ->check(CLI::IsMember(names_of(kActuationWords)));
 }
 
 void add_senses_option(CLI::App& command, WorldOptions& options) {
@@ -448,7 +443,7 @@ void add_senses_option(CLI::App& command, WorldOptions& options) {
             options.every_sense = which == "all";
             options.hearing = which != "usual";
           },
-          "usual; hearing: also ears; or all: also ears, and what nerves of\nskin, muscles, joints and labyrinth tell. "
+          "usual; hearing: adds ears; or all: adds ears, and the nerves of\nskin, muscles, joints and labyrinth. "
           "Default: usual")
       ->type_name("WHICH")
       ->check(CLI::IsMember({"usual", "hearing", "all"}).description(""));
@@ -470,8 +465,8 @@ void add_voice_option(CLI::App& command, WorldOptions& options) {
 void add_reflexes_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--reflexes", options.reflexes,
-                  "Reflexes of newborns, which fade with age: none, all that the body can do,\nor a list of "
-                  "palmar_grasp,plantar_grasp,rooting,moro,\nasymmetric_tonic_neck,stepping,withdrawal")
+                  "Reflexes of newborns, which fade with age: none, all that the body can do,\nor a list of\n" +
+                      list_in_help(names_of(kReflexWords)))
       ->type_name("LIST")
       ->check(CLI::Validator(check_reflexes, ""))
       ->capture_default_str();
@@ -484,7 +479,7 @@ void add_face_option(CLI::App& command, WorldOptions& options) {
 void add_own_senses_option(CLI::App& command, WorldOptions& options) {
   command
       .add_option("--sense", options.own_senses,
-                  "Shared library with a sense of your own, whose code is run; may be\ngiven several times")
+                  "Shared library with a sense of your own, which is loaded and run;\nmay be given several times")
       ->type_name("FILE")
       ->allow_extra_args(false);
 }
@@ -544,7 +539,7 @@ void set_renderer(const WorldOptions& options, mimo_env_config& config) {
   config.renderer = options.renderer.c_str();
   config.samples = options.samples;
   config.render_threads = options.render_threads;
-  if (!options.effects.empty()) config.render = bits_of(kEffects, options.effects).value_or(config.render);
+  if (!options.effects.empty()) config.render = bits_of(kRenderWords, options.effects).value_or(config.render);
 }
 
 mimo::Env open_world(const WorldOptions& options, mimo_env_config config) {

@@ -79,10 +79,10 @@ std::vector<std::string> omissions(const mjModel& model) {
     const std::string light = own.empty() ? format("light {}", i) : format("light \"{}\"", own);
     if (lights.types != nullptr && lights.types[i] > kMostLampType) {
       lines.push_back(
-          format("{} does not shine as MuJoCo has it: its type is {}, drawn as a cone", light, lights.types[i]));
+          format("{} is drawn as a cone, since the ray renderer does not know its type {}", light, lights.types[i]));
     }
     if (++shining > kMaxLights) {
-      lines.push_back(format("{} does not shine: {} others do, the most that a picture has", light, kMaxLights));
+      lines.push_back(format("{} is not drawn: a picture has at most {} lights", light, kMaxLights));
     }
   }
   if (std::count(model.sensor_type, model.sensor_type + model.nsensor, +mjSENS_RANGEFINDER) > 0) {

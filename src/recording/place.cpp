@@ -52,15 +52,15 @@ void Place::require_replaceable(bool replace) const {
     const Reader recording(name_);
   } catch (const Error& error) {
     if (error.status() == Status::kOutOfMemory) throw;
-    fail(Status::kFile, "cannot write {}: there is a file that is not a whole recording; it is not overwritten",
+    fail(Status::kFile, "cannot write {}: a file exists that is not a complete recording; it is not overwritten",
          given_);
   }
   if (!replace)
-    fail(Status::kFile, "cannot write {}: a recording is there, which is replaced only where `replace` is set", given_);
+    fail(Status::kFile, "cannot write {}: a recording exists already and is replaced only if `replace` is set", given_);
 }
 
 void Place::fail_used() const {
-  fail(Status::kFile, "cannot write {}: there is a file that may not be written, or that a program is using", given_);
+  fail(Status::kFile, "cannot write {}: the existing file is write-protected, or a program is using it", given_);
 }
 
 void Place::require_room(std::size_t content) const {
@@ -71,7 +71,7 @@ void Place::require_room(std::size_t content) const {
   const std::string why = file ? "" : std::generic_category().message(errno);
   std::error_code ignored;
   fs::remove(path, ignored);
-  if (!file) fail(Status::kFile, "cannot write {}: {}; is there room, and the right to write?", given_, why);
+  if (!file) fail(Status::kFile, "cannot write {}: {}; check the free space and the permissions", given_, why);
 }
 
 void Place::settle(int file) {
@@ -86,7 +86,7 @@ void Place::settle(int file) {
 
 void Place::require_untouched(int file) const {
   if (settled_ && !stands(file, name_, bytes_)) {
-    fail(Status::kFile, "cannot write {}: another program has moved, removed, replaced or cut it", given_);
+    fail(Status::kFile, "cannot write {}: another program has moved, removed, replaced or truncated it", given_);
   }
 }
 

@@ -25,7 +25,7 @@ void require_plain_file(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(fs::u8path(path), error);
   if (!fs::exists(status)) {
-    fail(Status::kNotFound, "cannot read {}: there is no such file, or it may not be read", path);
+    fail(Status::kNotFound, "cannot read {}: the file does not exist, or you may not read it", path);
   }
   if (fs::is_directory(status)) fail(Status::kFile, "cannot read {}: it is a folder", path);
   if (!fs::is_regular_file(status)) fail(Status::kFile, "cannot read {}: it is not a plain file", path);
@@ -40,7 +40,7 @@ hdf5::Handle open_file(const hdf5::Library& h5, const std::string& path) {
   const hdf5::Handle access(h5.CreateProperties(h5.file_access), h5.CloseProperties);
   h5.SetReadAttempts(access.id(), kReadAttempts);
   const hdf5::Id growing = h5.OpenFile(path.c_str(), hdf5::kReadOnly | hdf5::kSwmrRead, access.id());
-  if (growing < 0) fail(Status::kFile, "{} is not a recording, or was cut off: HDF5 cannot open it", path);
+  if (growing < 0) fail(Status::kFile, "{} is not a recording, or is truncated: HDF5 cannot open it", path);
   return hdf5::Handle(growing, h5.CloseFile);
 }
 
@@ -86,7 +86,7 @@ void Reader::check_format() const {
 }
 
 void Reader::damaged(const std::string& what) const {
-  fail(Status::kFile, "{} is not a whole recording: {}", path_, what);
+  fail(Status::kFile, "{} is not a complete recording: {}", path_, what);
 }
 
 std::uint64_t Reader::bytes() const {

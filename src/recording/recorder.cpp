@@ -94,7 +94,7 @@ void save(const env::World& world, std::vector<std::uint8_t>& state) {
 
 std::shared_ptr<Recorder> Recorder::follow(const blueprint::AgingWorld& aging, const Options& options) {
   env::World& world = aging.world();
-  if (world.in_task()) fail(Status::kBusy, "env is within a step or a reset: a recording cannot begin there");
+  if (world.in_task()) fail(Status::kBusy, "env is inside a step or reset; a recording can only start between them");
   if (world.step_observer() != nullptr) fail(Status::kBusy, "env is being recorded already");
   std::shared_ptr<Recorder> recorder(new Recorder(aging, options));
   world.tell(recorder);
@@ -330,7 +330,7 @@ void Recorder::require_whole() const {
 
 void Recorder::close() {
   const std::lock_guard alone(mutex_);
-  if (stepping_) fail(Status::kBusy, "recorder is within a step of its world and cannot be closed there");
+  if (stepping_) fail(Status::kBusy, "recorder cannot be closed inside a step of its world");
   if (world_ != nullptr) {
     finish();
     world_->tell(nullptr);

@@ -65,7 +65,7 @@ std::set<std::string> told_by_tasks(const env::World& world) {
 void require_byte_order(const Reader& file) {
   const std::string order = file.text("byte_order");
   if (order != byte_order())
-    fail(Status::kMismatch, "{} has states of a machine whose byte order is {}", file.path(), order);
+    fail(Status::kMismatch, "{} has states in the byte order {}, which this machine does not use", file.path(), order);
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ void Recording::require_fitting(const env::World& world, bool compare_fields) co
   const auto expect = [](bool alike, const char* what, const auto&... values) {
     if (!alike) fail(Status::kMismatch, what, values...);
   };
-  expect(joint_names(world) == joint_names_, "{} was recorded with other joints than those of env", file_.path());
+  expect(joint_names(world) == joint_names_, "{} was recorded with joints that differ from those of env", file_.path());
   expect(world.action_size() == actions_, "{} was recorded with {} actions, but env has {}", file_.path(), actions_,
          world.action_size());
   expect(world.agents().size() == agents_, "{} was recorded with {} agents, but env has {}", file_.path(), agents_,
@@ -176,7 +176,8 @@ void Recording::require_fitting(const env::World& world, bool compare_fields) co
     const observation::Field& field = world.layout()[i];
     const std::string table = table_of(field);
     expect(!file_.has(table) || file_.row_bytes(table) == field.bytes(),
-           "compare_fields is 1, but {} has rows of another length in '{}' than env", file_.path(), table);
+           "compare_fields is 1, but {} has rows in '{}' whose length differs from that of env's field", file_.path(),
+           table);
   }
 }
 
@@ -184,7 +185,8 @@ std::size_t Recording::seek(blueprint::AgingWorld& target, std::size_t step, con
   require(step <= steps_, "step is {}, but {} ends at step {}", step, file_.path(), steps_);
   const auto later = [&](const State& state) { return state.step > step; };
   const auto end = std::find_if(states_.begin(), states_.end(), later);
-  require(end != states_.begin(), "{} has no state to start from: it was cut off before its first flush", file_.path());
+  require(end != states_.begin(), "{} has no state to start from: recording stopped before the first flush",
+          file_.path());
   require_fitting(target.world(), how.compares_fields);
   target.world().require_ready_to_reset();
   const std::size_t state = static_cast<std::size_t>(end - states_.begin()) - 1;

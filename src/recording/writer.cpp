@@ -62,7 +62,7 @@ void Writer::check(std::int64_t result) const {
   const hdf5::Reason reason = hdf5::last_reason();
   if (reason.no_memory) fail(Status::kOutOfMemory, "cannot write {}: HDF5 has no memory", place_.path());
   const char* const why = reason.system[0] != '\0' ? reason.system : "HDF5 refused";
-  fail(Status::kFile, "cannot write {}: {}; is there room, and the right to write?", place_.path(), why);
+  fail(Status::kFile, "cannot write {}: {}; check the free space and the permissions", place_.path(), why);
 }
 
 void Writer::write_attribute(hdf5::Id object, const std::string& name, hdf5::Id type, const void* value) const {

@@ -76,7 +76,7 @@ void ScrapeNoise::load(ByteReader& from) {
   number_ = from.take<std::uint64_t>();
   for (double* number : {&distance_, &speed_, &pressure_, &smooth_, &corner_}) *number = from.take_finite("a noise");
   require(distance_ >= 0 && distance_ < kMost && speed_ >= 0 && pressure_ >= 0 && corner_ >= 0,
-          "the state holds a noise that cannot be");
+          "the state holds a noise whose numbers are out of range");
 }
 
 }  // namespace mimo::sound

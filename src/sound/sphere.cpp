@@ -124,7 +124,7 @@ void Filter::load(ByteReader& from) {
   from.take(Span<float>(y_, 2));
   for (const float* two : {x_, y_}) {
     const bool sane = std::abs(two[0]) <= kLoudest && std::abs(two[1]) <= kLoudest;  // no NaN either
-    require(sane, "corrupt state: a sound is out of range");
+    require(sane, "the state holds a sound whose numbers are out of range");
   }
 }
 

@@ -146,7 +146,7 @@ void Vocal::load(ByteReader& from) {
   bool sane = within(now_.loudness, 0, 1) && within(now_.pitch, -0.5, 0.5) && within(now_.opening, 0.69, 1.31) &&
               within(now_.front, 0.69, 1.31) && within(amplitude_, 0, 1e6) && within(phase_, 0, 1);
   for (const double value : memory_) sane = sane && std::abs(value) < 1e6;
-  require(sane, "the state holds a voice that cannot be");
+  require(sane, "the state holds a voice whose numbers are out of range");
 }
 
 }  // namespace mimo::sound

@@ -249,17 +249,16 @@ std::vector<std::string> Parts::omissions() const {
   for (const auto& [part, shapes] : {std::pair{"geom", geoms_.get()}, {"site", sites_.get()}}) {
     for (std::size_t i = 0; i < shapes->forms.size(); ++i) {
       if (is_form(shapes->forms[i])) continue;
-      lines.push_back(format("{} {} is not drawn: its form is {}, and there are 0 to 8", part, i, shapes->forms[i]));
+      lines.push_back(format("{} {} is not drawn: its form is {}, expected 0 to 8", part, i, shapes->forms[i]));
     }
   }
   int on = air_.headlight != 0 ? 1 : 0;
   for (std::size_t i = 0; i < lights_->types.size(); ++i) {
     const int type = lights_->types[i];
     if (type < 0 || type > MIMO_LAMP_POINT) {
-      lines.push_back(format("light {} does not shine: its type is {}, and there are 0 to 2", i, type));
+      lines.push_back(format("light {} is not drawn: its type is {}, expected 0 to 2", i, type));
     } else if (lights_->active[i] != 0 && ++on > rays::kMaxLights) {
-      lines.push_back(
-          format("light {} does not shine: {} others do, the most that a picture has", i, rays::kMaxLights));
+      lines.push_back(format("light {} is not drawn: a picture has at most {} lights", i, rays::kMaxLights));
     }
   }
   return lines;

@@ -329,9 +329,9 @@ int main(void) {
   const mimo_sense_field* no_field = NULL;
   mimo_env* env = blind_env("free", NULL);
   const void* felt = NULL;
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected the one that a function of a sense is given",
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected the handle that the library passes to a function of a sense",
               mimo_sense_feel(env, 0, &felt));
-  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected the one that a function of a sense is given",
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "expected the handle that the library passes to a function of a sense",
               mimo_sense_add_field(env, no_field));
   mimo_env_destroy(env);
   check_incomplete_tables();

@@ -553,7 +553,7 @@ static void a_full_disk_fails_no_step(void) {
   go(env, 100);
   CHECK(warnings == 1);
   CHECK_FAILS(MIMO_E_FILE, path, mimo_recorder_flush(recorder));
-  CHECK_FAILS(MIMO_E_FILE, "is there room", mimo_recorder_close(recorder));
+  CHECK_FAILS(MIMO_E_FILE, "check the free space", mimo_recorder_close(recorder));
   CHECK(setrlimit(RLIMIT_FSIZE, &before) == 0);
   CHECK_FAILS(MIMO_E_BAD_HANDLE, "destroyed", mimo_recorder_flush(recorder));
   recorder = record(env, NULL); /* the world can be recorded again */
@@ -589,10 +589,10 @@ static void a_recording_stays_unless_asked(void) {
   CHECK_OK(mimo_recorder_close(recorder));
   recorder = NULL;
   CHECK_FAILS(MIMO_E_FILE, path, mimo_recorder_open(env, path, NULL, &recorder));
-  CHECK_FAILS(MIMO_E_FILE, "only where `replace` is set", mimo_recorder_open(env, path, NULL, &recorder));
+  CHECK_FAILS(MIMO_E_FILE, "only if `replace` is set", mimo_recorder_open(env, path, NULL, &recorder));
   CHECK_OK(mimo_recorder_config_init(&config, sizeof config));
   CHECK(config.replace == 0);
-  CHECK_FAILS(MIMO_E_FILE, "only where `replace` is set", mimo_recorder_open(env, path, &config, &recorder));
+  CHECK_FAILS(MIMO_E_FILE, "only if `replace` is set", mimo_recorder_open(env, path, &config, &recorder));
   CHECK(recorder == NULL && steps_there() == 3);
   config.replace = 2;
   CHECK_FAILS(MIMO_E_UNSUPPORTED, "replace is 2", mimo_recorder_open(env, path, &config, &recorder));

@@ -656,7 +656,7 @@ static void test_omissions(void) {
   CHECK_OK(mimo_stage_create(&config, &stage));
   CHECK(count == 2);
   CHECK(strstr(told, "geom 1 is not drawn: its form is 9") != NULL);
-  CHECK(strstr(told, "light 0 does not shine: its type is 3") != NULL);
+  CHECK(strstr(told, "light 0 is not drawn: its type is 3") != NULL);
   config.log = NULL;
   CHECK_OK(mimo_stage_update(stage, &config));
   CHECK(count == 2); /* once */

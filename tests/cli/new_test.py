@@ -23,7 +23,7 @@ class New(Case):
         (self.folder / "nose/mine.txt").write_text("mine")
         (self.folder / "toes").write_text("mine")
         for name in ("nose", "toes"):
-            self.assertIn(f"{name} is there already", self.mimo("new", "sense", name, code=1))
+            self.assertIn(f"{name} exists already", self.mimo("new", "sense", name, code=1))
         self.assertEqual(self.files(), ["nose/mine.txt", "toes"])
 
     def test_names_that_no_sense_can_have(self):

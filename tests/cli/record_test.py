@@ -203,7 +203,7 @@ class Record(Case):
         self.record("--seconds", "0.2")
         before = (self.folder / "run.h5").read_bytes()
         error = self.mimo("record", "--seconds", "0.1", "--out", "run.h5", code=1)
-        self.assertIn("cannot write run.h5: a recording is there, which is replaced only where `replace` is set", error)
+        self.assertIn("cannot write run.h5: a recording exists already and is replaced only if `replace` is set", error)
         self.mimo("replay", "run.h5", "--out", "new.h5")
         self.assertIn("cannot write new.h5", self.mimo("replay", "run.h5", "--out", "new.h5", code=1))
         self.assertEqual((self.folder / "run.h5").read_bytes(), before)

@@ -68,7 +68,7 @@ class Run(Case):
         self.assertAlmostEqual(max(abs(value) for value in whole) / 32767 * 20, peak, delta=0.005 * peak)
         self.assertNotEqual(whole[0::2], whole[1::2])
         cut, text = self.heard()
-        self.assertIn("full scale is 1 Pa, what is louder is cut: --full-scale", text)
+        self.assertIn("full scale is 1 Pa, louder sound is clipped: see --full-scale", text)
         self.assertTrue(all(abs(large) == 32767 or abs(large - 20 * small) <= 20 for large, small in zip(cut, whole)))
 
     @needs_renderer

@@ -59,7 +59,7 @@ class Usage(Case):
                                 (["rnu"], "mimo: there is no command rnu; did you mean run? (see mimo --help)"),
                                 (["recrod", "--out", "a.h5"], "there is no command recrod; did you mean record?"),
                                 (["walk"], "mimo: there is no command walk (see mimo --help)"),
-                                (["run", "reach"], "mimo run: 'reach' was not expected, only options"),
+                                (["run", "reach"], "mimo run: 'reach' is not an option; this command takes only options"),
                                 (["--seconds", "3"], "mimo: --seconds belongs behind a command, such as run")):
             with self.subTest(arguments=arguments):
                 self.assertIn(said, self.mimo(*arguments, code=2))

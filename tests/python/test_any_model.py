@@ -99,7 +99,7 @@ def test_a_world_tells_once_by_name_what_its_cameras_leave_out(tmp_path, caplog)
     told = [record.getMessage() for record in caplog.records if "shine" in record.message or "drawn" in record.message]
     caplog.clear()  # expected
     assert told == [
-        'light "lamp7" does not shine: 8 others do, the most that a picture has',
-        'light "lamp8" does not shine: 8 others do, the most that a picture has',
+        'light "lamp7" is not drawn: a picture has at most 8 lights',
+        'light "lamp8" is not drawn: a picture has at most 8 lights',
         "beams of range finders are not drawn",
     ]

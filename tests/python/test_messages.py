@@ -92,7 +92,7 @@ CASES = {
         "2 infants, expected one; for several use mimo.ParallelEnv",
     ),
     "file": (lambda: mimo.Scene(file="no.xml"), LookupError, "no.xml"),
-    "no recording": (lambda: mimo.Recording("no.h5"), LookupError, "cannot read no.h5: there is no such file"),
+    "no recording": (lambda: mimo.Recording("no.h5"), LookupError, "cannot read no.h5: the file does not exist"),
     "face": (lambda: world().set_face("happy"), LookupError, 'no face named "happy"; there are: neutral'),
 }
 

@@ -357,7 +357,7 @@ WORDS = {
     "box": (
         lambda w, b: mimo.Scene().add_object("box", shape="box", size=0.1),
         mimo.ArgumentError,
-        r"size\[1\] is 0, expected metres above 0, of a box half of each of its three edges",
+        r"size\[1\] is 0, expected metres above 0, for a box half of each of its three edges",
     ),
     "thick": (
         lambda w, b: mimo.Scene("free").add_agent(age=1, z_length=-3, z_weight=3),

@@ -125,7 +125,7 @@ def test_a_recording_at_a_glance(run, tmp_path, monkeypatch, capsys):
     capsys.readouterr()
     for options, told in (
         ([str(run), "--infant", "2"], "infant is 2, expected 0 to 0"),
-        (["no.h5"], "there is no such file"),
+        (["no.h5"], "the file does not exist"),
         ([str(run), "--out", str(tmp_path / "nowhere" / "no.png")], "there is no folder"),
         ([str(run), "--out", str(tmp_path)], "it is a folder"),
     ):

@@ -62,7 +62,7 @@ def test_a_recording_is_kept_unless_replaced(run):
         with mimo.Recorder(world, run):
             move(world, 3)
         for options in ({}, {"replace": False}):
-            with pytest.raises(mimo.FileError, match=r"run.h5: a recording is there, .* only where `replace` is set"):
+            with pytest.raises(mimo.FileError, match=r"run.h5: a recording exists already .* only if `replace` is set"):
                 mimo.Recorder(world, run, **options)
         with mimo.Recording(run) as recording:
             assert recording.steps == 3

@@ -169,10 +169,10 @@ def test_scenes_of_others_are_checked(tmp_path):
 
 def test_files_that_are_not_recordings(tmp_path):
     h5py = pytest.importorskip("h5py", reason="h5py is not installed")
-    with pytest.raises(mimo.NotFoundError, match=re.escape(f"cannot read {tmp_path}/none.h5: there is no such file")):
+    with pytest.raises(mimo.NotFoundError, match=re.escape(f"cannot read {tmp_path}/none.h5: the file does not exist")):
         mimo.Recording(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("no HDF5")
-    with pytest.raises(mimo.FileError, match=r"text.h5 is not a recording, or was cut off"):
+    with pytest.raises(mimo.FileError, match=r"text.h5 is not a recording, or is truncated"):
         mimo.Recording(tmp_path / "text.h5")
     with h5py.File(tmp_path / "other.h5", "w") as other:
         other["x"] = [1]
@@ -184,5 +184,5 @@ def test_files_that_are_not_recordings(tmp_path):
         mimo.Recording(tmp_path / "other.h5")
     with h5py.File(tmp_path / "other.h5", "a") as poor:
         poor.attrs["format_version"], poor.attrs["step_seconds"] = 1, 0.01
-    with pytest.raises(mimo.FileError, match=r"other.h5 is not a whole recording"):
+    with pytest.raises(mimo.FileError, match=r"other.h5 is not a complete recording"):
         mimo.Recording(tmp_path / "other.h5")

@@ -144,7 +144,7 @@ def test_what_is_not_drawn_is_told(caplog):
         mimo.Stage(geoms={**BALL, "forms": [100]}).close()
     told = [record.message for record in caplog.records if record.name == "mimo"]
     caplog.clear()
-    assert told == ["geom 0 is not drawn: its form is 100, and there are 0 to 8"]
+    assert told == ["geom 0 is not drawn: its form is 100, expected 0 to 8"]
 
 
 def test_a_closed_stage(stage):

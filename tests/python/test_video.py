@@ -87,7 +87,7 @@ def test_impossible_videos_are_refused(run, tmp_path, monkeypatch, capsys):
     assert "--rate is 1000, expected 1 to 100" in refused(run, "--out", path, "--rate", "1000")
     assert "--seconds is -1" in refused("--out", path, "--seconds", "-1")
     assert "--full-scale is 0" in refused(run, "--out", path, "--full-scale", "0")
-    assert "there is no such file" in refused(tmp_path / "none.h5", "--out", path)
+    assert "the file does not exist" in refused(tmp_path / "none.h5", "--out", path)
     assert 'no scene named "nosuch"' in refused("--scene", "nosuch", "--out", path)
     assert "there is no folder" in refused(run, "--out", tmp_path / "nowhere" / "no.mp4")
     for end in ("no.txt", "no.gif", "no"):

@@ -95,7 +95,7 @@ TEST_F(SceneSave, NothingIsOverwritten) {
   document::save(scene.package(), folder.path("s"));  // the same again is there already
   const std::string before = read(folder.path("s/scene.xml"));
   scene.add_body("mitten", "", nullptr);
-  expect_error(Status::kFile, "scene.xml is there with other content",
+  expect_error(Status::kFile, "scene.xml already exists with other content",
                [&] { document::save(scene.package(), folder.path("s")); });
   EXPECT_EQ(read(folder.path("s/scene.xml")), before);
   EXPECT_FALSE(fs::exists(folder.path("s/assets/mimo_skin.png")));

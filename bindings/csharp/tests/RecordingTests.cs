@@ -71,7 +71,7 @@ internal static partial class Tests
         using (var env = Listening())
         {
             var error = Refused(() => new Recorder(env, path));
-            Check(error.Message.Contains("only where `replace` is set"), error.Message);
+            Check(error.Message.Contains("only if `replace` is set"), error.Message);
             using (new Recorder(env, path, new RecorderConfig { Replace = true }))
             {
                 env.Step(null);

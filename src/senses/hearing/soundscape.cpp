@@ -459,7 +459,7 @@ void Soundscape::load_made(ByteReader& from) {
     }
     const bool sane = told.loudness >= 0 && told.loudness <= 1 && std::abs(told.pitch) <= 0.5 &&
                       std::abs(told.opening - 1) < 0.31 && std::abs(told.front - 1) < 0.31;
-    require(sane, "the state holds a voice that cannot be");
+    require(sane, "the state holds a voice whose numbers are out of range");
     voice.sounds = from.take_flag();
     voice.vocal.load(from);
     voice.queue.load(from);

@@ -61,7 +61,7 @@ TEST(BlueprintAgents, ARootBelongsToTheScene) {
   plan = part("", "one");
   plan.acts = scene::kHead;
   EXPECT_EQ(joining(blueprint, plan),
-            "acts is 0x2, but only infants have such parts; expected 0 or MIMO_ACT_NONE beside a root");
+            "acts is 0x2, but only infants have these parts; with a root, expected 0 or MIMO_ACT_NONE");
   EXPECT_TRUE(blueprint.current().agents.all().empty());
 }
 

@@ -151,7 +151,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     parser.add_argument("--scene", default="free", help="a built-in scene with the infant's first pose (free)")
     parser.add_argument("--age", type=float, help="months; default: the age that fits best")
     parser.add_argument("--cutoff", type=float, help="Hz: filter the joints over time; 6 is usual")
-    parser.add_argument("--robust", action="store_true", help="believe points less that are far off")
+    parser.add_argument("--robust", action="store_true", help="give less weight to points that are far off")
     options = vars(parser.parse_args(arguments))
     points, out, errors = options.pop("points"), options.pop("out"), options.pop("errors")
     try:

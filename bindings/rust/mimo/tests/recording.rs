@@ -79,7 +79,7 @@ fn existing_recordings_are_kept_by_default() {
     let mut config = RecorderConfig::new().unwrap();
     let error = Recorder::open(&mut env, &path, &config).unwrap_err();
     assert_eq!(error.status(), Status::FILE);
-    assert!(error.message().contains("only where `replace` is set"), "{}", error);
+    assert!(error.message().contains("only if `replace` is set"), "{}", error);
     assert_eq!(Recording::open(&path, None).unwrap().info().unwrap().steps, 1);
     config.replace(true);
     Recorder::open(&mut env, &path, &config).unwrap().close().unwrap();
