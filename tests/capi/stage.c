@@ -301,7 +301,7 @@ static void test_srgb(void) {
   static const uint8_t expected[2][3] = {{188, 10, 255}, {128, 1, 255}};
   const int32_t form = MIMO_FORM_PLANE, zero = 0, ones[2] = {1, 1}, flat[2] = {MIMO_TEXTURE_FLAT, MIMO_TEXTURE_FLAT};
   const double size[3] = {0, 0, 0};
-  const float white[4] = {1, 1, 1, 1}, full[3] = {1, 1, 1}, dark[3] = {0, 0, 0};
+  const float full[3] = {1, 1, 1}, dark[3] = {0, 0, 0};
   const mimo_stage_view view = from(above);
   const mimo_stage_poses poses = one_geom();
   mimo_stage_shapes geoms = one_shape(&form, size);
