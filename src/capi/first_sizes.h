@@ -40,7 +40,7 @@ MIMO_FIRST_SIZE(mimo_timing, 72);
 MIMO_FIRST_SIZE(mimo_stage_shapes, 64);
 MIMO_FIRST_SIZE(mimo_stage_meshes, 128);
 MIMO_FIRST_SIZE(mimo_stage_fields, 56);
-MIMO_FIRST_SIZE(mimo_stage_textures, 64);
+MIMO_FIRST_SIZE(mimo_stage_textures, 72);
 MIMO_FIRST_SIZE(mimo_stage_materials, 80);
 MIMO_FIRST_SIZE(mimo_stage_surfaces, 160);
 MIMO_FIRST_SIZE(mimo_stage_tendons, 48);

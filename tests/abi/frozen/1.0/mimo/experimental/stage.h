@@ -102,6 +102,9 @@ typedef struct mimo_stage_textures {
   const int32_t *channels; /**< count: bytes of a pixel: 1 or 2 (grey first), 3 or 4 (red, green, blue). NULL: 3. */
   const uint8_t *pixels;   /**< pixel_bytes: row after row, one texture after the other. */
   size_t pixel_bytes;      /**< Length of pixels. */
+  const uint8_t *srgb;     /**< count: 1: colours of pixels are coded by sRGB and decoded before light falls on them, as
+                                MuJoCo does with flat textures whose tex_colorspace is mjCOLORSPACE_SRGB; 0: they are
+                                lit as they are; NULL: 0. */
 } mimo_stage_textures;
 
 /** Materials. Numbers are 0 to 1 where nothing else is said. */
