@@ -17,10 +17,11 @@ LINK = re.compile(r"\]\(([^)#\s]+)(#[^)\s]*)?\)")
 EXTRAS = "babybench bids by_field classic lsl motion nwb plot ray rerun sb3 usd video view"
 MODULES = {"mimo", *(f"mimo.{name}" for name in EXTRAS.split())}
 READERS = "train-agents study-infants embed from-mimo cameras contribute"
-TUTORIALS = "meet-the-infant first-experiment same-face hand two-infants embed bring-your-experiment many-worlds"
+LINKED = "".join((ROOT / f"docs/readers/{name}.md").read_text(encoding="utf-8") for name in READERS.split())
+TUTORIALS = dict.fromkeys(re.findall(r"\.\./tutorials/([\w-]+)\.md", LINKED))  # in the order of readers
 CONTENTS = {
     "Readers": [f"docs/readers/{name}" for name in READERS.split()],
-    "Tutorials": [f"docs/tutorials/{name}" for name in TUTORIALS.split()],
+    "Tutorials": [f"docs/tutorials/{name}" for name in TUTORIALS],
     "Reference": [
         "reference/c/index",
         "reference/cpp/index",

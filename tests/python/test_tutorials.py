@@ -53,5 +53,12 @@ def test_program_in_c_is_the_example():
 
 
 @pytest.mark.parametrize("tutorial", TUTORIALS, ids=[page.stem for page in TUTORIALS])
+def test_a_page_for_readers_links_it(tutorial):
+    """The site takes the order of tutorials from these links."""
+    readers = (guides.ROOT / "docs/readers").glob("*.md")
+    assert any(f"../tutorials/{tutorial.name}" in page.read_text(encoding="utf-8") for page in readers)
+
+
+@pytest.mark.parametrize("tutorial", TUTORIALS, ids=[page.stem for page in TUTORIALS])
 def test_page_says_what_the_reader_will_have(tutorial):
     assert tutorial.read_text(encoding="utf-8").splitlines()[2].startswith("**At the end")
