@@ -58,7 +58,7 @@ class Dev(unittest.TestCase):
         self.assertEqual(lines[0], "Tests to run: --tsan --quick")
         self.assertRegex(lines[1], r"^tsan +\? min  what uses threads")
         self.assertRegex(lines[2], r"^quick +\d+ min  the library and the program$")
-        self.assertRegex(lines[3], r"^Together about \d+ minutes$")
+        self.assertRegex(lines[3], r"^Together about \d+ minutes, and 1 that nobody has timed here$")
         self.assertRegex(lines[4], r"^==== 1 of 2: tsan, .*, about \? min$")
         self.assertRegex("\n".join(lines), r"\n==== 2 of 2: quick, ")
         again = self.dev("test", "--tsan").stdout.splitlines()
