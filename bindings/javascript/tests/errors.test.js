@@ -43,7 +43,7 @@ test("the module has one thread, and says so", needed, () => {
   const refused = { code: "UNSUPPORTED", message: /^thread 1 of [24] cannot be started: this build of the library has no threads/ };
   assert.throws(() => new mimo.Batch("reach", { worlds: 2, threads: 2 }), refused);
   assert.throws(() => new mimo.Stage({ threads: 4 }), refused);
-  assert.throws(() => new World("standup", { renderThreads: 2 }).render(), refused);
+  assert.throws(() => new World("standup", { renderer: "ray", renderThreads: 2 }).render(), refused);
   const batch = new mimo.Batch("reach", { worlds: 2 });
   assert.equal(batch.threads, 1);
   batch.reset();
