@@ -9,6 +9,25 @@ from .shell import BUILD, ROOT, copy, fail, fresh, output, run, version
 PACKAGE = ROOT / "bindings/javascript"
 MODULE = ROOT / "build-web/lib/mimo.wasm"  # ./dev build --web, and the licences of all that is inside
 LICENCES = ROOT / "build-web/licences"
+# Things that the module is made of, each with a word of its licence, mostly an author's name.
+INSIDE = {
+    "Apache-2.0": "Apache License",
+    "MPL-2.0": "Mozilla",
+    "emscripten": "musl",
+    "hdf5": "HDF Group",
+    "highway": "Apache-2.0",
+    "libccd": "Fiser",
+    "libeigen3-dev": "Guennebaud",
+    "libfmt-dev": "Zverovich",
+    "lodepng": "Vandevenne",
+    "mujoco": "Apache License",
+    "nlohmann-json3-dev": "Lohmann",
+    "pugixml": "Kapoulkine",
+    "qhull": "Barber",
+    "tinyobjloader": "Fujita",
+    "tinyxml2": "Thomason",
+    "zlib": "Gailly",
+}
 
 
 def install_compiler(folder=PACKAGE):
@@ -52,10 +71,19 @@ def pack_javascript():
     return folder / output("npm", "pack", "--silent", "--pack-destination", folder, cwd=PACKAGE)
 
 
+def check_licences(folder):
+    """The licence of everything inside the module travels with it."""
+    found = {name: folder / f"{name}.txt" for name in INSIDE}
+    wrong = [name for name, file in found.items() if not file.is_file() or INSIDE[name] not in file.read_text("utf-8")]
+    if wrong:
+        fail(f"the npm package lacks the licences of {', '.join(wrong)}")
+
+
 def test_packed():
     """Installs the package in an empty folder and steps a world there."""
     file, folder = pack_javascript(), fresh(BUILD / "javascript")
     run("npm", "install", "--no-audit", "--no-fund", "--silent", "--prefix", folder, file, cwd=folder)
+    check_licences(folder / "node_modules/libmimo/licences")
     copy(ROOT.glob("examples/javascript/*.mjs"), folder)
     for example in sorted(folder.glob("*.mjs")):
         run("node", example, cwd=folder)

@@ -13,6 +13,7 @@ from .shell import BUILD, ROOT, copy, fail, fresh, must, only, output
 
 FOLDER = ROOT / "build-web"
 SOURCES = CROSS / "mujoco/web"  # of MuJoCo
+NAMED = ("Apache-2.0", "MPL-2.0")  # licences that Debian's texts name without repeating them
 USED = ("libccd", "lodepng", "qhull", "tinyobjloader", "tinyxml2")  # by MuJoCo
 MEGABYTE = 1 << 20
 MOST_BYTES = 6 * MEGABYTE  # as it travels
@@ -60,6 +61,8 @@ def collect_licences():
         copy([CROSS / f"licences/{name}.txt"], folder)
     for package in ("libeigen3-dev", "libfmt-dev", "nlohmann-json3-dev"):
         shutil.copy(f"/usr/share/doc/{package}/copyright", folder / f"{package}.txt")
+    for name in NAMED:
+        shutil.copy(f"/usr/share/common-licenses/{name}", folder / f"{name}.txt")
 
 
 def prepare_web():
