@@ -2,17 +2,20 @@
 
 import difflib
 import platform
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 
-from .build import build
+from .build import build, cmake
 from .csharp import build_csharp
-from .javascript import take_module
+from .javascript import MODULE, take_module
 from .need import need
 from .octave import OCTAVE, build_mex
 from .pins import environment
 from .rust import LIBRARY
-from .shell import BUILD, ROOT, fail, fresh, output
+from .shell import BUILD, CORES, ROOT, fail, fresh, output
 
 MADE = BUILD / "same"
+SCENES = ("benchmark", "reach", "playdate")  # that tests/same/steps.c steps
 PROCESSORS = {"AVX": "max,-avx2,-fma", "AVX2": "max"}  # QEMU's names; it knows no AVX-512
 NO_FUSING = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX512F,-AVX2,-FMA,-AVX2_Usable,-FMA_Usable"}  # in the C library
 VARIABLES = {**LIBRARY, "MIMO_LIBRARY": BUILD / "lib/libmimo.so", "PYTHONPATH": ROOT / "bindings/python/src"}
@@ -41,12 +44,34 @@ def own_maths(folder):
     return {"LD_PRELOAD": (folder / "lib/libsame_maths.so").relative_to(ROOT)}
 
 
-def steps_of(folder, count, *emulator, env=None):
+def steps_of(folder, count, *emulator, env=None, what=()):
     """The hashes of so many steps with all senses by a build, in which MuJoCo calls libmimo's sin, exp and the like."""
     program, maths = folder / "bin/same_steps", own_maths(folder)
     if emulator:
-        return output(*emulator, "-E", f"LD_PRELOAD={maths['LD_PRELOAD']}", program, count)
-    return output(program, count, env={**maths, **(env or {})})
+        return output(*emulator, "-E", f"LD_PRELOAD={maths['LD_PRELOAD']}", program, count, *what)
+    return output(program, count, *what, env={**maths, **(env or {})})
+
+
+def steps_in_node(count, *what):
+    """The same in WebAssembly, where MuJoCo always calls libmimo's functions."""
+    return output("node", MODULE.parents[1] / "bin/same_steps.js", count, *what)
+
+
+def ways_to_step(count, emulated):
+    """What can step here: its name, how many steps, and the function that takes these and scenes."""
+    ways = [("this processor", count, lambda steps, *scenes: steps_of(BUILD, steps, what=scenes))]
+    if MODULE.is_file():
+        cmake("web", "same_steps")
+        ways.append(("WebAssembly", count, steps_in_node))
+    if platform.machine() != "x86_64":
+        return ways
+    need("qemu-user")
+    unfused = partial(steps_of, BUILD, env=NO_FUSING)
+    ways.append(("no fused multiplication", count, lambda steps, *scenes: unfused(steps, what=scenes)))
+    for name, processor in PROCESSORS.items():
+        there = ("qemu-x86_64", "-cpu", processor)
+        ways.append((name, emulated, lambda steps, *scenes, there=there: steps_of(BUILD, steps, *there, what=scenes)))
+    return ways
 
 
 def up_to(steps, text):
@@ -55,18 +80,18 @@ def up_to(steps, text):
 
 
 def check_processors(count=300, emulated=100):
-    """Compares the hashes of this processor with those without its faster instructions, as far as QEMU goes."""
+    """Compares this processor's hashes with those of WebAssembly, and without its faster instructions."""
     build("release", "same_steps", "same_maths")
-    here = steps_of(BUILD, count)
-    print(f"With all senses:\n{here}")
-    if platform.machine() != "x86_64":
-        return
-    need("qemu-user")
-    check_same("other bytes without fused multiplication", here, steps_of(BUILD, count, env=NO_FUSING))
-    for name, processor in PROCESSORS.items():
-        there = steps_of(BUILD, emulated, "qemu-x86_64", "-cpu", processor)
-        check_same(f"a processor with {name} gives other bytes", up_to(emulated, here), there)
-    print(f"The same bytes without fused multiplication, and on processors with {' and '.join(PROCESSORS)}")
+    ways = ways_to_step(count, emulated)
+    with ThreadPoolExecutor(CORES) as pool:
+        running = [(scene, way, pool.submit(way[2], way[1], scene)) for scene in SCENES for way in ways]
+        here = {}
+        for scene, (name, steps, _), future in running:
+            said = future.result()
+            expected = up_to(steps, here.setdefault(scene, said))
+            check_same(f"other bytes in {scene}: {name}", expected, said)
+            print(f"{name}: {said.splitlines()[-1]}", flush=True)
+    print(f"The same bytes of all senses: {', '.join(name for name, _, _ in ways)}")
 
 
 def test_same():
@@ -93,11 +118,11 @@ def test_same():
     shared = "\n".join(line for line in expected.splitlines() if not line.startswith("own "))
     check_same("Octave gives other bytes than C", shared, hashed("octave", *in_octave))
     if take_module():
-        test_same_in_javascript(expected)
+        test_same_in_javascript()
 
 
-def test_same_in_javascript(expected):
-    """Compares the scene reach: where things touch, the module, whose MuJoCo is another build, rounds otherwise."""
+def test_same_in_javascript():
+    """Compares with C where MuJoCo calls libmimo's functions, as it always does in the module."""
+    expected = output(BUILD / "bin/capi_same", env=own_maths(BUILD))
     got = hashed("javascript", "node", "tests/same/same.mjs", MADE / "javascript")
-    lines = [[line for line in text.splitlines() if line.startswith("reach ")] for text in (expected, got)]
-    check_same("JavaScript gives other bytes than C", *("\n".join(line) for line in lines))
+    check_same("JavaScript gives other bytes than C", expected, got)

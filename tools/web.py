@@ -8,7 +8,7 @@ from .ctest import run_workflow
 from .javascript import LICENCES, MODULE
 from .need import need
 from .pins import PINS, check_hash
-from .same import check_same, own_maths
+from .same import SCENES, check_same, own_maths, steps_in_node, steps_of
 from .shell import BUILD, ROOT, copy, fail, fresh, must, only, output
 
 FOLDER = ROOT / "build-web"
@@ -88,11 +88,15 @@ def check_size():
 
 
 def check_bytes():
-    """The scenario of tests/capi/same.c gives the bytes of the library here, where MuJoCo calls the same functions."""
-    build("release", "capi_same", "same_maths")
+    """The module gives the bytes of the library here, where MuJoCo calls the same functions, in all senses' fields."""
+    build("release", "capi_same", "same_steps", "same_maths")
     here = output(BUILD / "bin/capi_same", env=own_maths(BUILD))
     check_same("WebAssembly gives other bytes", here, output("node", FOLDER / "bin/capi_same.js"))
-    print(f"The same bytes in WebAssembly:\n{here}")
+    for scene in SCENES:
+        what = ("fields", scene)
+        there = steps_in_node(300, *what)
+        check_same(f"WebAssembly gives other bytes in {scene}", steps_of(BUILD, 300, what=what), there)
+    print(f"The same bytes in WebAssembly, and in 300 steps with all senses of {', '.join(SCENES)}:\n{here}")
 
 
 def test_module():

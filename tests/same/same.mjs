@@ -2,7 +2,7 @@
 // that is given, for tests/same/fnv1a to hash; names of scenes and sums of rewards are printed.
 import { appendFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { Kind, load, Outcome, Quantity, Scene, World } from "../../bindings/javascript/src/index.js";
+import { Form, Kind, Lamp, load, Outcome, Quantity, Scene, Stage, TextureType, World } from "../../bindings/javascript/src/index.js";
 
 /** The task "own" of tests/capi/same.c. */
 const height = {
@@ -30,6 +30,41 @@ function make(name) {
   return new World(scene);
 }
 
+/** The picture of tests/capi/same.c. */
+function drawStage() {
+  const upright = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const stage = new Stage({
+    geoms: {
+      objectType: 5,
+      forms: [Form.PLANE, Form.SPHERE],
+      sizes: [0, 0, 0, 0.5, 0, 0],
+      colors: [1, 1, 1, 1, 0.9, 0.2, 0.1, 1],
+      materials: [0, -1],
+    },
+    textures: {
+      types: [TextureType.FLAT],
+      widths: [2],
+      heights: [2],
+      pixels: [200, 30, 90, 20, 180, 60, 40, 80, 220, 250, 240, 130],
+      srgb: [1],
+    },
+    materials: { colors: [1, 1, 1, 1], textures: [0] },
+    lights: { types: [Lamp.SUN] },
+  });
+  const poses = {
+    geomPositions: [0, 0, 0, 0, 0, 0.5],
+    geomRotations: [...upright, ...upright],
+    lightPositions: [0, 0, 5],
+    lightDirections: [0, 0.6, -0.8],
+  };
+  const view = { width: 64, height: 48, position: [0, 0, 4], rotation: upright, depth: true, segmentation: true };
+  const { rgba, depth, segmentation } = stage.draw(poses, view);
+  stage.close();
+  const rgb = Uint8Array.from(rgba.filter((_, i) => i % 4 !== 3));
+  writeFileSync(join(process.argv[2], "stage"), Buffer.concat([rgb, depth, segmentation].map((one) => Buffer.from(one.buffer))));
+  console.log("stage", rgb.reduce((sum, one) => sum + one, 0).toFixed(6));
+}
+
 await load(process.env.MIMO_WASM);
 for (const name of ["reach", "standup", "selfbody", "benchmark", "own"]) {
   const world = make(name);
@@ -46,3 +81,4 @@ for (const name of ["reach", "standup", "selfbody", "benchmark", "own"]) {
   console.log(name, total.toFixed(6));
   world.close();
 }
+drawStage();
