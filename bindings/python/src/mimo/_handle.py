@@ -4,14 +4,27 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from types import TracebackType
-from typing import Any, Callable, Optional, Type, TypeVar
+from typing import Any, Callable, Optional, TypeVar
 
 from ._strict import Strict
 from .errors import ClosedError
 
 NAMES = ("_handle", "_names_handle")  # attributes of an open object
-Self = TypeVar("Self", bound="Handle")
+Self = TypeVar("Self", bound="Closing")
+
+
+class Closing:
+    """Closes at the end of a with block."""
+
+    def close(self) -> None:
+        """Frees what the object holds."""
+        raise NotImplementedError
+
+    def __enter__(self: Self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
 
 
 def _in_main_interpreter() -> bool:
@@ -51,7 +64,7 @@ def _keeping_the_lock(destroy: Any) -> Any:
     return ctypes.PYFUNCTYPE(destroy.restype, *destroy.argtypes)(address)
 
 
-class Handle(Strict):
+class Handle(Strict, Closing):
     """Closes by close(), at the end of a with block, or with its last reference.
 
     Later calls raise mimo.ClosedError.
@@ -79,11 +92,3 @@ class Handle(Strict):
         if name in NAMES:  # Python calls this only for missing attributes
             raise ClosedError(f"this {type(self).__name__} is closed")
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-
-    def __enter__(self: Self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]
-    ) -> None:
-        self.close()

@@ -8,6 +8,7 @@ from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tu
 import numpy as np
 from numpy.typing import NDArray
 
+from ._handle import Closing
 from .arguments import meant
 from .constants import Quantity, Sex
 from .drawing import prefixes
@@ -76,7 +77,7 @@ class Event(NamedTuple):
     infant: Optional[int]
 
 
-class Kept:
+class Kept(Closing):
     """A recording, and all that it says of its numbers.
 
         with Kept("run.h5") as kept:
@@ -102,10 +103,8 @@ class Kept:
             self.recording.close()
             raise
 
-    def __enter__(self) -> "Kept":
-        return self
-
-    def __exit__(self, *_: object) -> None:
+    def close(self) -> None:
+        """Closes the recording."""
         self.recording.close()
 
     def _describe(self, fields: Optional[Sequence[str]]) -> None:

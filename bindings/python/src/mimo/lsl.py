@@ -21,6 +21,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from ._handle import Closing
 from ._strict import Strict
 from .errors import Error, UnsupportedError
 from .kept import PICTURE, SOUND, Table, is_meant, table_of
@@ -51,7 +52,7 @@ class _Stream(NamedTuple):
     outlet: Any
 
 
-class Streams(Strict):
+class Streams(Strict, Closing):
     """A stream for each chosen field of a world.
 
     `fields` are senses and names of fields, by default proprioception and the vestibular sense. Streams are called
@@ -97,12 +98,6 @@ class Streams(Strict):
     def close(self) -> None:
         """Ends the streams."""
         self._streams = []
-
-    def __enter__(self) -> "Streams":
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
 
 
 def _chosen(world: World, wanted: Optional[Sequence[str]]) -> Dict[str, Table]:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import logging
 import os
-from types import TracebackType
-from typing import Any, List, Mapping, Optional, Sequence, Set, Tuple, Type, Union
+from typing import Any, List, Mapping, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _abi
+from ._handle import Closing
 from .arguments import described, number_of
 from .constants import Render
 from .model_arrays import Snapshot, mujoco_of
@@ -43,7 +43,7 @@ def usable_cores() -> int:
     return min(256, len(affinity(0)) if affinity is not None else os.cpu_count() or 1)
 
 
-class Renderer:
+class Renderer(Closing):
     """Draws a mujoco.MjModel as mujoco.Renderer does, with rays on the CPU: no OpenGL, no display, no graphics card.
 
     It has the same methods, arrays and errors: `mimo.Renderer` can stand where `mujoco.Renderer` stood. It works with
@@ -221,14 +221,6 @@ class Renderer:
         if self._stage is not None:
             self._stage.close()
             self._stage = None
-
-    def __enter__(self) -> Renderer:
-        return self
-
-    def __exit__(
-        self, kind: Optional[Type[BaseException]], error: Optional[BaseException], trace: Optional[TracebackType]
-    ) -> None:
-        self.close()
 
     def _resize(self, height: int, width: int) -> None:
         """Draws pictures of another size from now on; the camera of the last update_scene stays."""

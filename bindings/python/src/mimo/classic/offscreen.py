@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Dict, Optional
 
+from .._handle import Closing
 from ..constants import Kind
 from .model import ModelView
 
@@ -21,7 +22,7 @@ def renderer_for(theirs: Optional[Any]) -> Any:
     return make
 
 
-class Renderer:
+class Renderer(Closing):
     """Pictures of the world of a model."""
 
     def __init__(self, model: ModelView, height: int = 240, width: int = 320, max_geom: int = 10000) -> None:
@@ -71,9 +72,3 @@ class Renderer:
 
     def close(self) -> None:
         """Does nothing."""
-
-    def __enter__(self) -> "Renderer":
-        return self
-
-    def __exit__(self, *error: Any) -> None:
-        self.close()

@@ -6,6 +6,7 @@ from contextlib import contextmanager
 from types import ModuleType
 from typing import Any, Iterator, Optional
 
+from .._handle import Closing
 from .live import PAGE
 from .mathematics import MjvCamera, MjvOption
 from .model import DataView, ModelView
@@ -13,7 +14,7 @@ from .model import DataView, ModelView
 SIZE = {"width": 640, "height": 480}
 
 
-class Viewer:
+class Viewer(Closing):
     """A window as launch_passive returns it: sync() shows the current state."""
 
     def __init__(self, model: ModelView, data: DataView) -> None:
@@ -49,12 +50,6 @@ class Viewer:
     def lock(self) -> Iterator[None]:
         """Does nothing: nobody else draws."""
         yield
-
-    def __enter__(self) -> "Viewer":
-        return self
-
-    def __exit__(self, *error: Any) -> None:
-        self.close()
 
 
 def viewer_module(real: Optional[ModuleType]) -> ModuleType:

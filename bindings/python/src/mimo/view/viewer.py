@@ -8,6 +8,7 @@ import threading
 import time
 from typing import Any, Callable, Optional
 
+from .._handle import Closing
 from ..errors import Error
 from .clock import Clock
 from .page import Page
@@ -19,7 +20,7 @@ BUDGET = 0.8 * FRAME  # s per frame for steps
 LOCAL = "127.0.0.1"
 
 
-class Viewer:
+class Viewer(Closing):
     """A page at `url`. One thread steps and draws the world; buttons of the page queue their requests."""
 
     def __init__(
@@ -179,9 +180,3 @@ class Viewer:
     def _stop(self) -> None:
         with silence():
             self._server.stop()
-
-    def __enter__(self) -> "Viewer":
-        return self
-
-    def __exit__(self, *error: Any) -> None:
-        self.close()
