@@ -116,7 +116,7 @@ def package_rust():
     crates = fresh(RELEASE / "crates")
     for crate in ("mimo-sys", "mimo"):
         shutil.copytree(CRATES / crate, crates / crate)
-    # A registry shows the page alone, without what it leads to.
+    # A registry shows the page alone, so its relative links would lead nowhere.
     page, manifest, sys_manifest = (
         (CRATES / "README.md").read_text(),
         crates / "mimo/Cargo.toml",

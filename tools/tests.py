@@ -52,7 +52,7 @@ def test_sanitized(preset):
     print("The same bytes in both builds")
 
 
-# What each does, and what it is about.
+# Each part of ./dev test: its function, and what it tests.
 USUAL = {
     "quick": (lambda: run_workflow("release"), "the library and the program"),
     "python": (test_python, "the Python package, programs of the pages, learning"),
@@ -80,7 +80,7 @@ PARTS = {
     "release": (test_release, "packages for all systems, each tried in an empty place"),
 }
 PRESETS = {"quick": "release", "avx": "release"}  # of parts whose name is another
-# Minutes on two cores that do nothing else, what has to be built included. What a part took here replaces them.
+# Minutes on two idle cores, with the build. The time that a part took on this machine replaces them.
 USUALLY = {
     "quick": 7,
     "python": 5,

@@ -1,7 +1,7 @@
 function mimo_build(libmimo)
 % MIMO_BUILD  Compiles the gateway, once.
 %   mimo_build('../libmimo') uses libmimo from a clone in which ./dev build was run; mimo_build() uses the installed one. The
-%   compiled gateway goes to the current folder. It finds the library by itself.
+%   compiled gateway goes to the current folder and contains the path of the library.
 here = fileparts(mfilename('fullpath'));
 sources = dir(fullfile(here, '*.c'));
 sources = cellfun(@(name) fullfile(here, name), {sources.name}, 'UniformOutput', false);
@@ -22,7 +22,7 @@ else
 end
 end
 
-% The gateway is told where the library lies, and may be loaded from any folder.
+% The gateway contains the path of the library, so it works in any folder.
 function folder = whole_path(folder)
 if ~exist(folder, 'dir'), error('mimo:NOT_FOUND', 'libmimo is ''%s'', which is no folder', folder); end
 before = cd(folder);

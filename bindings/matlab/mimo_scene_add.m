@@ -20,8 +20,8 @@ function number = mimo_scene_add(scene, what, varargin)
 %     'limits'     limits of a sense: path, gain, noise, delay, ...; agent
 %     'motor_limits'  the same for a motor ('act:left_elbow'), for the motors of a part of the body ('left_arm') or, with '',
 %                  for all motors, without blur; agent
-%     'maturity'   eyes and nerves: age (months) for those of an age, by default perfect ones; further options change single
-%                  numbers. Without any option the maturity follows the growth again; agent
+%     'maturity'   eyes and nerves: age (months) gives those of an age, the default is perfect ones; further options change
+%                  single numbers. Without any option the maturity follows the growth again; agent
 %     'sensory_delay'  seconds by which an agent feels body late, by touch and joints, by default all bodies; agent
 %     'sources'    count of bodies that can play at once (default 4), and seconds of sound that each can hold (default 4)
 %     'source_direction'  place and axis (three numbers each, in the frame of body) of the sound that body plays, and its

@@ -28,7 +28,7 @@ from stable_baselines3.common.vec_env import VecMonitor, VecNormalize
 import mimo
 from mimo.sb3 import SB3VecEnv
 
-# Of an evaluation, without exploration, but for the two of training: the last hundred episodes, with exploration.
+# All of an evaluation, without exploration, except the two of training: the last hundred episodes, with exploration.
 COLUMNS = ["steps", "mean_return", "return_std", "success", "length", "wall_s", "training_return", "training_success"]
 SPREAD_FLOOR = 0.03  # of a normalised number: what hardly moves, as a joint that is held, is not made loud
 EVALUATION_SEED = 1_000_000  # the episodes of an evaluation: the same each time, and none of the training's

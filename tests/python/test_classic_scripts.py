@@ -142,7 +142,8 @@ def test_processes_of_a_script(folder):
 
 def test_a_fork_with_its_own_environments_scenes_and_functions(folder):
     said = python(folder, "-m", "mimo.classic", "scripts/fork/train_itch.py").stderr
-    assert f"mimoEnv (in place of {folder / 'scripts/fork/mimoEnv'}, but for what only these have) on libmimo" in said
+    theirs = folder / "scripts/fork/mimoEnv"
+    assert f"mimoEnv (in place of {theirs}, except modules that only these have) on libmimo" in said
     told = run(folder, "fork/train_itch.py")
     assert re.match(r"goal (right_hand|left_lower_arm) height 0\.5 elbow \[-2\.5312\]", told[0])
     assert re.match(r"steps \d+ 2 robot:left_elbow", told[1])

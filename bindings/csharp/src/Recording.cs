@@ -98,7 +98,7 @@ namespace Mimo
             return values;
         }
 
-        /// <summary>A config whose senses are all those of the recording, to change some of them for
+        /// <summary>A config that keeps all senses of the recording; change some of them for
         /// CreateEnv.</summary>
         public static AgentConfig SensesAsRecorded()
         {

@@ -66,7 +66,7 @@ namespace Mimo
         }
     }
 
-    /// <summary>The buffers of a picture, top row first. Those that are null are not drawn.</summary>
+    /// <summary>The buffers of a picture, top row first. A null buffer is not drawn.</summary>
     public sealed class StagePicture
     {
         /// <summary>Red, green, blue of each pixel.</summary>

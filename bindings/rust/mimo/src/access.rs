@@ -125,7 +125,7 @@ impl World {
 }
 
 impl Quantity {
-    /// The present value of a quantity that by itself belongs to the start of the last physics step: see
+    /// The present value of a quantity that otherwise belongs to the start of the last physics step: see
     /// [`sys::MIMO_NOW`].
     pub const fn now(self) -> Quantity {
         Quantity::from_raw(self.raw() | sys::MIMO_NOW as i32)

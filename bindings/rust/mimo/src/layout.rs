@@ -102,7 +102,7 @@ impl<'a> Layout<'a> {
     }
 
     /// The delay of each element of a field in seconds; 0 for none. A reset to another age changes the
-    /// delays, and with them the times of fields. For a batch both are those of world 0 as it was made.
+    /// delays, and with them the times of fields. For a batch both belong to world 0 as it was made.
     pub fn delays(&self, field: usize) -> Result<Vec<f64>> {
         let mut seconds = vec![0.0; self.field(field)?.shape.iter().product()];
         check(unsafe { sys::mimo_layout_delays(self.handle, field, seconds.as_mut_ptr(), seconds.len()) })?;

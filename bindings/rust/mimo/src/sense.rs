@@ -80,9 +80,9 @@ impl SenseParameter {
     }
 }
 
-/// What a sense is told: the world, to be read, and the moment.
+/// The world, for reading, and the moment at which a sense is called.
 pub struct SenseMoment<'a> {
-    /// The world. What changes it fails.
+    /// The world. Calls that change it fail.
     pub world: &'a World,
     told: &'a sys::mimo_sense_moment,
     parameters: &'a [f64],
@@ -209,8 +209,8 @@ impl SenseFields<'_> {
     }
 }
 
-/// Your own sense, of one infant in one world, for [`Scene::add_sense`](crate::Scene::add_sense). What it keeps in
-/// itself never changes; what changes is its memory, which is part of the world's state. If it returns an error or
+/// Your own sense, of one infant in one world, for [`Scene::add_sense`](crate::Scene::add_sense). The value
+/// itself never changes; only its memory does, which is part of the world's state. If it returns an error or
 /// panics, the call that ran it fails and quotes the error or the panic.
 pub trait Sense: Send + Sync + Sized + 'static {
     /// Raise it when the memory changes its meaning.

@@ -39,7 +39,7 @@ pub struct StageView {
     pub focal: [f64; 2],
     /// With focal lengths: the principal point, pixels from the left and the upper edge.
     pub center: [f64; 2],
-    /// Of an orthographic camera: what it sees from the lower edge to the upper one, m; 0: a perspective.
+    /// Height of an orthographic camera's picture, m; 0: a perspective camera.
     pub ortho_height: f64,
 }
 
@@ -101,7 +101,7 @@ impl StageView {
     }
 }
 
-/// The pixels of a picture, top row first. What is empty is not drawn.
+/// The pixels of a picture, top row first. Empty vectors are not drawn.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StagePicture {
     /// Red, green, blue.

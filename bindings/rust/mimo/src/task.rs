@@ -122,7 +122,7 @@ pub trait Task: Send + Sync {
         Ok(())
     }
 
-    /// Judges a step. Positions of bodies are those of the start of the last physics step. Values that it
+    /// Judges a step. Positions of bodies belong to the start of the last physics step. Values that it
     /// writes, for example to place the next goal, count from the next step on. It is called for the agents
     /// in their order.
     fn evaluate(&self, world: &mut World, moment: &mut Moment, verdict: &mut Verdict) -> Result<()>;

@@ -74,7 +74,7 @@ def line_of(script: str, found: Findings) -> str:
     import gymnasium
 
     places = [place for root in found.modules if root in ROOTS for place in folders(root)]
-    instead = f" (in place of {', '.join(places)}, but for what only these have)" if places else ""
+    instead = f" (in place of {', '.join(places)}, except modules that only these have)" if places else ""
     on = f"{', '.join(found.modules) or 'no module of the original'}{instead} on libmimo {version()}"
     missing = "; ".join(f"line {line}: {name}" for line, name in found.missing)
     lacks = f"not there: {missing}" if missing else "nothing is missing that can be seen without running it"
