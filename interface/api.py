@@ -7,6 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 FILE = Path(__file__).resolve().with_name("interface.json")
+# Structs of plain values that the library fills: each language has a class or struct for them.
+FILLED = (
+    *("mimo_action", "mimo_appearance", "mimo_layout_info", "mimo_light", "mimo_parameter", "mimo_recording_info"),
+    *("mimo_replay_report", "mimo_term", "mimo_timing"),
+)
 
 
 @dataclass
@@ -148,6 +153,10 @@ class Api:
 
     def function(self, name: str) -> Function:
         return next(one for one in self.functions if one.name == name)
+
+    def configs(self, *more: str) -> list[Struct]:
+        """The structs of options in the order of the headers: all named ..._config with an init function, and more."""
+        return [one for one in self.structs if (one.init and one.name.endswith("_config")) or one.name in more]
 
     def senses(self) -> list[Enum]:
         """The enumerations of the senses' outputs, in the order of the times that steps take for them."""

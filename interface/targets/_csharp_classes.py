@@ -4,6 +4,7 @@ library does.
 
 from __future__ import annotations
 
+from api import FILLED
 from targets._csharp_words import (
     camel,
     documented,
@@ -18,18 +19,11 @@ from targets._csharp_words import (
     raw_type,
 )
 
-# A config is a class whose constructor takes the library's defaults. Configs that are not here are arguments of a
-# method (new Batch, MimoScene.AddModel, AddField, LimitSense, SetTask).
-CONFIGS = [
-    *("mimo_scene_config", "mimo_object_config", "mimo_camera_config", "mimo_agent_config", "mimo_growth"),
-    *("mimo_maturity", "mimo_env_config", "mimo_picture_config", "mimo_recorder_config", "mimo_senses_config"),
-    *("mimo_stage_air", "mimo_stage_view"),
-]
+# A config is a class whose constructor takes the library's defaults. These are not: they are arguments of a method (new
+# Batch, MimoScene.AddModel, AddField).
+ARGUMENTS = ("mimo_batch_config", "mimo_field_config", "mimo_model_config")
 
-RECORDS = [
-    *("mimo_agent_info", "mimo_action", "mimo_term", "mimo_timing", "mimo_parameter", "mimo_appearance", "mimo_light"),
-    *("mimo_gaze", "mimo_layout_info", "mimo_recording_info", "mimo_replay_report"),
-]
+RECORDS = sorted((*FILLED, "mimo_agent_info", "mimo_gaze"))
 
 # Members that an argument of a method, or a member written by hand, stands for.
 HIDDEN = {
@@ -157,7 +151,8 @@ def config(words, struct):
 
 
 def configs(words):
-    return in_namespace(["System"], [config(words, words.api.struct(name)) for name in CONFIGS])
+    all_of_them = words.api.configs("mimo_growth", "mimo_maturity", "mimo_stage_air", "mimo_stage_view")
+    return in_namespace(["System"], [config(words, one) for one in all_of_them if one.name not in ARGUMENTS])
 
 
 # ---- Records ------------------------------------------------------------------------------------------------

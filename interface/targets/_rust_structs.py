@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from targets._prose import described, switch
-from targets._rust_words import CONFIGS, NOTICE, RECORDS, comment, identifier, member_type, pascal, prose, told
+from targets._rust_words import NOTICE, RECORDS, comment, configs, identifier, member_type, pascal, prose, told
 
 # Configs whose constructors take arguments; a hand-written module has them.
 CONSTRUCTED_BY_HAND = (
@@ -125,7 +125,7 @@ class Configs:
 
     def text(self) -> str:
         parts = [NOTICE + CONFIGS_HEAD]
-        parts += [self.config(struct) for struct in self.api.structs if struct.name in CONFIGS]
+        parts += [self.config(struct) for struct in configs(self.api)]
         return "\n".join(parts)
 
     def config(self, struct) -> str:

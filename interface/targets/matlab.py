@@ -7,6 +7,7 @@ import textwrap
 from pathlib import Path
 
 import targets._stage_parts as stage
+from api import FILLED
 from targets._prose import Prose, described, switch, without_null
 
 FOLDER = "bindings/matlab/"
@@ -79,19 +80,7 @@ PLACES = (
 RENAMED = {"mimo_growth.model": "growth"}
 
 # What the library returns, as structs of MATLAB; and members that the gateway turns into something else.
-RECORDS = (
-    "mimo_action",
-    "mimo_agent_info",
-    "mimo_appearance",
-    "mimo_field",
-    "mimo_layout_info",
-    "mimo_light",
-    "mimo_parameter",
-    "mimo_recording_info",
-    "mimo_replay_report",
-    "mimo_term",
-    "mimo_timing",
-)
+RECORDS = sorted((*FILLED, "mimo_agent_info", "mimo_field"))
 NO_MEMBERS = (
     "mimo_agent_info.action_count",
     "mimo_agent_info.action_offset",

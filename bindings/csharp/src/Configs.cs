@@ -168,6 +168,87 @@ namespace Mimo
         }
     }
 
+    /// <summary>The age, size and strength of an infant: the member `growth` of AgentConfig, null for the body of
+    /// 18 months. It determines lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the
+    /// range, stiffness, damping and friction of joints. The infant starts in the same pose, within the range of
+    /// its joints; its lowest point is where it would be at 18 months. All defaults give that body, to the last
+    /// bit. Objects and rooms do not change; docs/tasks.md says how tasks adapt. Errors of the call that receives
+    /// it: Status.InvalidArgument for numbers out of range, for an agent that is not an infant, and for a
+    /// combination that no girth of the limbs can give; Status.Unsupported for an infant in the scene's MJCF whose
+    /// parts were changed.</summary>
+    public sealed partial class Growth
+    {
+        private GrowthStruct raw;
+
+        /// <summary>The library's defaults.</summary>
+        public Growth()
+        {
+            Library.Require();
+            raw = GrowthStruct.New();
+        }
+
+        internal Growth(GrowthStruct raw) { this.raw = raw; }
+
+        /// <summary>A Sex constant. Default Sex.Mean.</summary>
+        public Sex Sex { get { return (Sex)raw.sex; } set { raw.sex = (int)value; } }
+
+        /// <summary>Age in months, 0 (a newborn) to 24, for size and mass. Default 18.</summary>
+        public double Age { get { return raw.age; } set { raw.age = value; } }
+
+        /// <summary>Months, 0 to 24, for strength, range of motion and tone, if MaturesApart is true.</summary>
+        public double PhysiologicalAge { get { return raw.physiological_age; } set { raw.physiological_age = value; } }
+
+        /// <summary>True: PhysiologicalAge is used; false (default): age is used for all.</summary>
+        public bool MaturesApart { get { return raw.matures_apart != 0; } set { raw.matures_apart = value ? 1u : 0u; } }
+
+        /// <summary>A GrowthModel constant. Default GrowthModel.Who.</summary>
+        public GrowthModel Model { get { return (GrowthModel)raw.model; } set { raw.model = (int)value; } }
+
+        /// <summary>Its length in standard deviations from the median of age and sex, -3 to 3.</summary>
+        public double ZLength { get { return raw.z_length; } set { raw.z_length = value; } }
+
+        /// <summary>The same for its weight.</summary>
+        public double ZWeight { get { return raw.z_weight; } set { raw.z_weight = value; } }
+
+        /// <summary>The same for its head's circumference.</summary>
+        public double ZHead { get { return raw.z_head; } set { raw.z_head = value; } }
+
+        /// <summary>Percent, 1 to 99.865: sets all three z-scores, which must then be 0; 0: not used.</summary>
+        public double Percentile { get { return raw.percentile; } set { raw.percentile = value; } }
+
+        /// <summary>A muscle's strength per cross-section is proportional to this power of the median length at the
+        /// physiological age, 0 to 5; 0: equal at all ages. Default 1.7.</summary>
+        public double StrengthExponent { get { return raw.strength_exponent; } set { raw.strength_exponent = value; } }
+
+        /// <summary>Factor of the neck's strength at its age, 0 to 10. Default 1.</summary>
+        public double NeckStrength { get { return raw.neck_strength; } set { raw.neck_strength = value; } }
+
+        /// <summary>Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5.</summary>
+        public double BirthTone { get { return raw.birth_tone; } set { raw.birth_tone = value; } }
+
+        /// <summary>Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to 1.
+        /// Default 1.</summary>
+        public double Contracture { get { return raw.contracture; } set { raw.contracture = value; } }
+
+        /// <summary>True: length and weight are the WHO's; false (default): they are the WHO's relative to the body of
+        /// 18 months, which is 4.5 % shorter and 3 % heavier than the median.</summary>
+        public bool Absolute { get { return raw.absolute != 0; } set { raw.absolute = value ? 1u : 0u; } }
+
+        /// <summary>True: touch sensors keep the spacing of 18 months, so a smaller body has fewer; false (default):
+        /// their number stays and their spacing grows with the body.</summary>
+        public bool KeepSpacing { get { return raw.keep_spacing != 0; } set { raw.keep_spacing = value ? 1u : 0u; } }
+
+        /// <summary>Mature bits; 0 (default): Mature.Body.</summary>
+        public Mature Maturity { get { return (Mature)raw.maturity; } set { raw.maturity = (uint)value; } }
+
+        /// <summary>The struct, valid as long as the parts.</summary>
+        internal GrowthStruct Raw(PinnedParts parts)
+        {
+            var filled = raw;
+            return filled;
+        }
+    }
+
     /// <summary>One agent: its position, its senses, and the joints it controls. Usually an infant; with `root` any
     /// part of any model. Such an agent</summary>
     /// <remarks><list type="bullet"><item><description>reads the positions of its hinges and slides, its motors,
@@ -308,155 +389,6 @@ namespace Mimo
         }
     }
 
-    /// <summary>The age, size and strength of an infant: the member `growth` of AgentConfig, null for the body of
-    /// 18 months. It determines lengths, girths, masses and inertias, eyes and cameras, skin, strength, and the
-    /// range, stiffness, damping and friction of joints. The infant starts in the same pose, within the range of
-    /// its joints; its lowest point is where it would be at 18 months. All defaults give that body, to the last
-    /// bit. Objects and rooms do not change; docs/tasks.md says how tasks adapt. Errors of the call that receives
-    /// it: Status.InvalidArgument for numbers out of range, for an agent that is not an infant, and for a
-    /// combination that no girth of the limbs can give; Status.Unsupported for an infant in the scene's MJCF whose
-    /// parts were changed.</summary>
-    public sealed partial class Growth
-    {
-        private GrowthStruct raw;
-
-        /// <summary>The library's defaults.</summary>
-        public Growth()
-        {
-            Library.Require();
-            raw = GrowthStruct.New();
-        }
-
-        internal Growth(GrowthStruct raw) { this.raw = raw; }
-
-        /// <summary>A Sex constant. Default Sex.Mean.</summary>
-        public Sex Sex { get { return (Sex)raw.sex; } set { raw.sex = (int)value; } }
-
-        /// <summary>Age in months, 0 (a newborn) to 24, for size and mass. Default 18.</summary>
-        public double Age { get { return raw.age; } set { raw.age = value; } }
-
-        /// <summary>Months, 0 to 24, for strength, range of motion and tone, if MaturesApart is true.</summary>
-        public double PhysiologicalAge { get { return raw.physiological_age; } set { raw.physiological_age = value; } }
-
-        /// <summary>True: PhysiologicalAge is used; false (default): age is used for all.</summary>
-        public bool MaturesApart { get { return raw.matures_apart != 0; } set { raw.matures_apart = value ? 1u : 0u; } }
-
-        /// <summary>A GrowthModel constant. Default GrowthModel.Who.</summary>
-        public GrowthModel Model { get { return (GrowthModel)raw.model; } set { raw.model = (int)value; } }
-
-        /// <summary>Its length in standard deviations from the median of age and sex, -3 to 3.</summary>
-        public double ZLength { get { return raw.z_length; } set { raw.z_length = value; } }
-
-        /// <summary>The same for its weight.</summary>
-        public double ZWeight { get { return raw.z_weight; } set { raw.z_weight = value; } }
-
-        /// <summary>The same for its head's circumference.</summary>
-        public double ZHead { get { return raw.z_head; } set { raw.z_head = value; } }
-
-        /// <summary>Percent, 1 to 99.865: sets all three z-scores, which must then be 0; 0: not used.</summary>
-        public double Percentile { get { return raw.percentile; } set { raw.percentile = value; } }
-
-        /// <summary>A muscle's strength per cross-section is proportional to this power of the median length at the
-        /// physiological age, 0 to 5; 0: equal at all ages. Default 1.7.</summary>
-        public double StrengthExponent { get { return raw.strength_exponent; } set { raw.strength_exponent = value; } }
-
-        /// <summary>Factor of the neck's strength at its age, 0 to 10. Default 1.</summary>
-        public double NeckStrength { get { return raw.neck_strength; } set { raw.neck_strength = value; } }
-
-        /// <summary>Factor of a newborn's joint stiffness, 0.1 to 10; it falls to 1 at 6 months. Default 1.5.</summary>
-        public double BirthTone { get { return raw.birth_tone; } set { raw.birth_tone = value; } }
-
-        /// <summary>Share of the young infant's limited extension of hips, knees and elbows that applies, 0 to 1.
-        /// Default 1.</summary>
-        public double Contracture { get { return raw.contracture; } set { raw.contracture = value; } }
-
-        /// <summary>True: length and weight are the WHO's; false (default): they are the WHO's relative to the body of
-        /// 18 months, which is 4.5 % shorter and 3 % heavier than the median.</summary>
-        public bool Absolute { get { return raw.absolute != 0; } set { raw.absolute = value ? 1u : 0u; } }
-
-        /// <summary>True: touch sensors keep the spacing of 18 months, so a smaller body has fewer; false (default):
-        /// their number stays and their spacing grows with the body.</summary>
-        public bool KeepSpacing { get { return raw.keep_spacing != 0; } set { raw.keep_spacing = value ? 1u : 0u; } }
-
-        /// <summary>Mature bits; 0 (default): Mature.Body.</summary>
-        public Mature Maturity { get { return (Mature)raw.maturity; } set { raw.maturity = (uint)value; } }
-
-        /// <summary>The struct, valid as long as the parts.</summary>
-        internal GrowthStruct Raw(PinnedParts parts)
-        {
-            var filled = raw;
-            return filled;
-        }
-    }
-
-    /// <summary>The maturity of an agent's eyes and nerves. docs/guide/maturity.md gives the sources and names the
-    /// weak ones. A nerve of length L adds a delay of L / ConductionSpeed, and its path in the brain adds another
-    /// one:</summary>
-    /// <remarks><list type="bullet"><item><description>touch: the nerve from the body part with the sensor, and
-    /// SensoryDelay;</description></item><item><description>proprioception: the nerve from the body part that the
-    /// joint moves, and SensoryDelay;</description></item><item><description>the vestibular sense, vision and
-    /// hearing: their own delay alone;</description></item><item><description>an action: the nerve to the body part
-    /// that its motor moves, and MotorDelay.</description></item></list> Nerve lengths follow from the agent's own
-    /// body (Quantity.BodyNerveLength). Delays are rounded to the nearest number of time steps of the model (with
-    /// attached senses, of the host's steps).</remarks>
-    public sealed partial class Maturity
-    {
-        private MaturityStruct raw;
-
-        /// <summary>The library's defaults.</summary>
-        public Maturity()
-        {
-            Library.Require();
-            raw = MaturityStruct.New();
-        }
-
-        internal Maturity(MaturityStruct raw) { this.raw = raw; }
-
-        /// <summary>True: contrasts below the threshold disappear; false (default): they stay. Needs an
-        /// acuity.</summary>
-        public bool ContrastThreshold { get { return raw.contrast_threshold != 0; } set { raw.contrast_threshold = value ? 1u : 0u; } }
-
-        /// <summary>The finest visible lines, cycles per degree, 0.05 to 1000; 0 (default): pictures as
-        /// drawn.</summary>
-        public double Acuity { get { return raw.acuity; } set { raw.acuity = value; } }
-
-        /// <summary>Peak contrast sensitivity, 1.01 to 1000: at the acuity limit 1/PeakContrast of the contrast is
-        /// left. Default 2. Needs an acuity.</summary>
-        public double PeakContrast { get { return raw.peak_contrast; } set { raw.peak_contrast = value; } }
-
-        /// <summary>Visible share of colour, 0 (grey) to 1 (default).</summary>
-        public double Chroma { get { return raw.chroma; } set { raw.chroma = value; } }
-
-        /// <summary>Cut-off frequency of a low-pass filter over the sensed pictures, Hz, 0.01 to 1000. 0 (default): no
-        /// filter.</summary>
-        public double Flicker { get { return raw.flicker; } set { raw.flicker = value; } }
-
-        /// <summary>Of large nerve fibres, m/s, 0.1 to 200; 0 (default): no delay.</summary>
-        public double ConductionSpeed { get { return raw.conduction_speed; } set { raw.conduction_speed = value; } }
-
-        /// <summary>From the brain stem to the cortex, s, 0 to 2.</summary>
-        public double SensoryDelay { get { return raw.sensory_delay; } set { raw.sensory_delay = value; } }
-
-        /// <summary>From the cortex to the brain stem, s, 0 to 2.</summary>
-        public double MotorDelay { get { return raw.motor_delay; } set { raw.motor_delay = value; } }
-
-        /// <summary>From the eye to the cortex, s, 0 to 2.</summary>
-        public double VisionDelay { get { return raw.vision_delay; } set { raw.vision_delay = value; } }
-
-        /// <summary>From the inner ear to the brain stem, s, 0 to 2.</summary>
-        public double VestibularDelay { get { return raw.vestibular_delay; } set { raw.vestibular_delay = value; } }
-
-        /// <summary>From the ear to the cortex, s, 0 to 2.</summary>
-        public double HearingDelay { get { return raw.hearing_delay; } set { raw.hearing_delay = value; } }
-
-        /// <summary>The struct, valid as long as the parts.</summary>
-        internal MaturityStruct Raw(PinnedParts parts)
-        {
-            var filled = raw;
-            return filled;
-        }
-    }
-
     /// <summary>Settings of a world.</summary>
     public sealed partial class EnvConfig
     {
@@ -576,61 +508,6 @@ namespace Mimo
         }
     }
 
-    /// <summary>What is recorded, and how.</summary>
-    public sealed partial class RecorderConfig
-    {
-        private RecorderConfigStruct raw;
-
-        /// <summary>The library's defaults.</summary>
-        public RecorderConfig()
-        {
-            Library.Require();
-            raw = RecorderConfigStruct.New();
-        }
-
-        internal RecorderConfig(RecorderConfigStruct raw) { this.raw = raw; }
-
-        /// <summary>0 for none to 9 for the smallest file. Default 4.</summary>
-        public uint Compression { get { return raw.compression; } set { raw.compression = value; } }
-
-        private string keep;
-        /// <summary>Fields to keep of each step: "all", "none", or senses and fields with commas between them,
-        /// "touch,vision/eye_left". Null (default): proprioception and vestibular of whoever has them.</summary>
-        public string Keep { get { return keep ?? Utf8.OrNull(raw.keep); } set { keep = value; } }
-
-        /// <summary>Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.</summary>
-        public double StateSeconds { get { return raw.state_seconds; } set { raw.state_seconds = value; } }
-
-        /// <summary>Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default
-        /// 1.</summary>
-        public double FlushSeconds { get { return raw.flush_seconds; } set { raw.flush_seconds = value; } }
-
-        private string configuration;
-        /// <summary>What the program wants to find again: a text, best JSON. Null (default): "".</summary>
-        public string Configuration { get { return configuration ?? Utf8.OrNull(raw.configuration); } set { configuration = value; } }
-
-        /// <summary>For people: the attribute `seed`. Replays do not need it. Default 0.</summary>
-        public ulong Seed { get { return raw.seed; } set { raw.seed = value; } }
-
-        private string hdf5;
-        /// <summary>Path of the HDF5 library; null (default): see above.</summary>
-        public string Hdf5 { get { return hdf5 ?? Utf8.OrNull(raw.hdf5); } set { hdf5 = value; } }
-
-        /// <summary>True: a whole recording that is there, and that no program is using, is replaced. False (default):
-        /// it stays, and the recorder is refused.</summary>
-        public bool Replace { get { return raw.replace != 0; } set { raw.replace = value ? 1u : 0u; } }
-
-        /// <summary>The struct, valid as long as the parts.</summary>
-        internal RecorderConfigStruct Raw(PinnedParts parts)
-        {
-            var filled = raw;
-            if (keep != null) filled.keep = parts.Text(keep);
-            if (configuration != null) filled.configuration = parts.Text(configuration);
-            if (hdf5 != null) filled.hdf5 = parts.Text(hdf5);
-            return filled;
-        }
-    }
-
     /// <summary>The host's MuJoCo, and the settings of the senses.</summary>
     public sealed partial class SensesConfig
     {
@@ -676,6 +553,74 @@ namespace Mimo
         {
             var filled = raw;
             if (renderer != null) filled.renderer = parts.Text(renderer);
+            return filled;
+        }
+    }
+
+    /// <summary>The maturity of an agent's eyes and nerves. docs/guide/maturity.md gives the sources and names the
+    /// weak ones. A nerve of length L adds a delay of L / ConductionSpeed, and its path in the brain adds another
+    /// one:</summary>
+    /// <remarks><list type="bullet"><item><description>touch: the nerve from the body part with the sensor, and
+    /// SensoryDelay;</description></item><item><description>proprioception: the nerve from the body part that the
+    /// joint moves, and SensoryDelay;</description></item><item><description>the vestibular sense, vision and
+    /// hearing: their own delay alone;</description></item><item><description>an action: the nerve to the body part
+    /// that its motor moves, and MotorDelay.</description></item></list> Nerve lengths follow from the agent's own
+    /// body (Quantity.BodyNerveLength). Delays are rounded to the nearest number of time steps of the model (with
+    /// attached senses, of the host's steps).</remarks>
+    public sealed partial class Maturity
+    {
+        private MaturityStruct raw;
+
+        /// <summary>The library's defaults.</summary>
+        public Maturity()
+        {
+            Library.Require();
+            raw = MaturityStruct.New();
+        }
+
+        internal Maturity(MaturityStruct raw) { this.raw = raw; }
+
+        /// <summary>True: contrasts below the threshold disappear; false (default): they stay. Needs an
+        /// acuity.</summary>
+        public bool ContrastThreshold { get { return raw.contrast_threshold != 0; } set { raw.contrast_threshold = value ? 1u : 0u; } }
+
+        /// <summary>The finest visible lines, cycles per degree, 0.05 to 1000; 0 (default): pictures as
+        /// drawn.</summary>
+        public double Acuity { get { return raw.acuity; } set { raw.acuity = value; } }
+
+        /// <summary>Peak contrast sensitivity, 1.01 to 1000: at the acuity limit 1/PeakContrast of the contrast is
+        /// left. Default 2. Needs an acuity.</summary>
+        public double PeakContrast { get { return raw.peak_contrast; } set { raw.peak_contrast = value; } }
+
+        /// <summary>Visible share of colour, 0 (grey) to 1 (default).</summary>
+        public double Chroma { get { return raw.chroma; } set { raw.chroma = value; } }
+
+        /// <summary>Cut-off frequency of a low-pass filter over the sensed pictures, Hz, 0.01 to 1000. 0 (default): no
+        /// filter.</summary>
+        public double Flicker { get { return raw.flicker; } set { raw.flicker = value; } }
+
+        /// <summary>Of large nerve fibres, m/s, 0.1 to 200; 0 (default): no delay.</summary>
+        public double ConductionSpeed { get { return raw.conduction_speed; } set { raw.conduction_speed = value; } }
+
+        /// <summary>From the brain stem to the cortex, s, 0 to 2.</summary>
+        public double SensoryDelay { get { return raw.sensory_delay; } set { raw.sensory_delay = value; } }
+
+        /// <summary>From the cortex to the brain stem, s, 0 to 2.</summary>
+        public double MotorDelay { get { return raw.motor_delay; } set { raw.motor_delay = value; } }
+
+        /// <summary>From the eye to the cortex, s, 0 to 2.</summary>
+        public double VisionDelay { get { return raw.vision_delay; } set { raw.vision_delay = value; } }
+
+        /// <summary>From the inner ear to the brain stem, s, 0 to 2.</summary>
+        public double VestibularDelay { get { return raw.vestibular_delay; } set { raw.vestibular_delay = value; } }
+
+        /// <summary>From the ear to the cortex, s, 0 to 2.</summary>
+        public double HearingDelay { get { return raw.hearing_delay; } set { raw.hearing_delay = value; } }
+
+        /// <summary>The struct, valid as long as the parts.</summary>
+        internal MaturityStruct Raw(PinnedParts parts)
+        {
+            var filled = raw;
             return filled;
         }
     }
@@ -792,6 +737,61 @@ namespace Mimo
         internal StageViewStruct Raw(PinnedParts parts)
         {
             var filled = raw;
+            return filled;
+        }
+    }
+
+    /// <summary>What is recorded, and how.</summary>
+    public sealed partial class RecorderConfig
+    {
+        private RecorderConfigStruct raw;
+
+        /// <summary>The library's defaults.</summary>
+        public RecorderConfig()
+        {
+            Library.Require();
+            raw = RecorderConfigStruct.New();
+        }
+
+        internal RecorderConfig(RecorderConfigStruct raw) { this.raw = raw; }
+
+        /// <summary>0 for none to 9 for the smallest file. Default 4.</summary>
+        public uint Compression { get { return raw.compression; } set { raw.compression = value; } }
+
+        private string keep;
+        /// <summary>Fields to keep of each step: "all", "none", or senses and fields with commas between them,
+        /// "touch,vision/eye_left". Null (default): proprioception and vestibular of whoever has them.</summary>
+        public string Keep { get { return keep ?? Utf8.OrNull(raw.keep); } set { keep = value; } }
+
+        /// <summary>Simulated seconds between states that are kept, 0.001 to 1e6. Default 1.</summary>
+        public double StateSeconds { get { return raw.state_seconds; } set { raw.state_seconds = value; } }
+
+        /// <summary>Real seconds after which all is on its way to the disk, 0 to 1e6; 0: each step. Default
+        /// 1.</summary>
+        public double FlushSeconds { get { return raw.flush_seconds; } set { raw.flush_seconds = value; } }
+
+        private string configuration;
+        /// <summary>What the program wants to find again: a text, best JSON. Null (default): "".</summary>
+        public string Configuration { get { return configuration ?? Utf8.OrNull(raw.configuration); } set { configuration = value; } }
+
+        /// <summary>For people: the attribute `seed`. Replays do not need it. Default 0.</summary>
+        public ulong Seed { get { return raw.seed; } set { raw.seed = value; } }
+
+        private string hdf5;
+        /// <summary>Path of the HDF5 library; null (default): see above.</summary>
+        public string Hdf5 { get { return hdf5 ?? Utf8.OrNull(raw.hdf5); } set { hdf5 = value; } }
+
+        /// <summary>True: a whole recording that is there, and that no program is using, is replaced. False (default):
+        /// it stays, and the recorder is refused.</summary>
+        public bool Replace { get { return raw.replace != 0; } set { raw.replace = value ? 1u : 0u; } }
+
+        /// <summary>The struct, valid as long as the parts.</summary>
+        internal RecorderConfigStruct Raw(PinnedParts parts)
+        {
+            var filled = raw;
+            if (keep != null) filled.keep = parts.Text(keep);
+            if (configuration != null) filled.configuration = parts.Text(configuration);
+            if (hdf5 != null) filled.hdf5 = parts.Text(hdf5);
             return filled;
         }
     }
