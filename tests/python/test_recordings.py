@@ -1,5 +1,6 @@
 """Recordings: worlds that are made as they say, and play them bit for bit."""
 
+import ctypes
 import json
 import pickle
 import re
@@ -9,6 +10,8 @@ import pytest
 from recorded import record, recorder_or_skip, table_of
 
 import mimo
+from mimo import _abi
+from mimo._library import LIB, check, defaults
 
 ROOM = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><light pos="0 0 3"/></worldbody></mujoco>"""
 
@@ -48,6 +51,31 @@ def test_touch_and_sound_are_those_of_the_recording(tmp_path):
             seen = recording.step(world).observation
             for name in ("touch/force", "hearing/ear_left", "hearing/ear_right"):
                 np.testing.assert_array_equal(seen[name], file[f"fields/{name}"][step])
+
+
+@pytest.fixture(scope="module")
+def short_run(tmp_path_factory):
+    return record(tmp_path_factory.mktemp("short") / "run.h5", "--seconds", "0.1")
+
+
+# Of mimo_env_config; every other member, also a new one, comes from the recording.
+CHOSEN = {"renderer", "timing", "render", "samples", "render_threads", "step_contacts"}
+
+
+@pytest.mark.parametrize(
+    "name", [name for name, _ in _abi.EnvConfig._fields_ if not re.search("size|log|reserved", name)]
+)
+def test_callers_choose_pictures_and_times_of_a_replay_only(name, short_run):
+    config, env = defaults(_abi.EnvConfig), ctypes.c_void_p()
+    usual = getattr(config, name)
+    setattr(config, name, b"none" if usual is None or isinstance(usual, bytes) else usual + 1)
+    with mimo.Recording(short_run) as recording:
+        if name in CHOSEN:
+            check(LIB.mimo_recording_env(recording._handle, config, None, env))
+            LIB.mimo_env_destroy(env)
+        else:
+            with pytest.raises(mimo.ArgumentError, match=f"^config: {name} comes from the recording"):
+                check(LIB.mimo_recording_env(recording._handle, config, None, env))
 
 
 def own_scene():
