@@ -116,7 +116,7 @@ def test_refused_values(run, tmp_path):
             with pytest.raises(mimo.BusyError, match="already"):
                 mimo.Recorder(world, tmp_path / "new.h5")
             move(world, 2)
-        with mimo.Recording(run) as recording, pytest.raises(mimo.MismatchError, match="other joints"):
+        with mimo.Recording(run) as recording, pytest.raises(mimo.MismatchError, match="joints that differ"):
             recording.play(other)
         with mimo.Recorder(world, run, replace=True) as recorder:
             world.close()  # closes the file, too

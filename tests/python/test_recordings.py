@@ -157,7 +157,7 @@ def test_damaged_worlds_are_refused(tmp_path):
     expect(b"[" * 100000, mimo.FileError, "'world' of the recording: it is no list")
     expect({}, mimo.FileError, "it is no list")
     expect([3], mimo.FileError, "a call is no object")
-    expect([{"call": "fly"}], mimo.UnsupportedError, '"fly" is not known')
+    expect([{"call": "fly"}], mimo.UnsupportedError, '"fly" is a call that this library does not know')
     expect([agents, {"call": "env_create"}], mimo.FileError, 'lacks "config"')
     wide = {**agents, "config": {**agents["config"], "touch_scale": 1e9}}
     for eyes in (0, 10**6):

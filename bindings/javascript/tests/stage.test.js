@@ -107,7 +107,7 @@ test("what a stage does not draw is told once", needed, () => {
   withBall(() => {}, { geoms: { ...BALL, forms: [100] }, log: (record) => told.push(record) });
   assert.deepEqual(
     told.map(({ level, text }) => [level, text]),
-    [[LogLevel.WARNING, "geom 0 is not drawn: its form is 100, and there are 0 to 8"]],
+    [[LogLevel.WARNING, "geom 0 is not drawn: its form is 100, expected 0 to 8"]],
   );
 });
 
