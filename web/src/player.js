@@ -179,7 +179,8 @@ export class Player {
         ? `Verified: all ${count} steps are the same as in the file, to the last bit.`
         : `Verified ${done} of ${count} steps: the same as in the file so far, to the last bit.`;
     }
-    const [first] = this.tables.filter(({ different }) => different > 0).sort((one, two) => one.first - two.first);
+    // Fields that differed before a sense was added are no longer compared, but count.
+    const [first] = [...this.always, ...this.fields].filter(({ different }) => different > 0).sort((one, two) => one.first - two.first);
     const seconds = (this.info.stepSeconds * (first.first + 1)).toFixed(2);
     return `${all.same} of ${done} steps are the same as in the file, to the last bit. ${first.name} differs first in step ${first.first + 1}, at ${seconds} s, by ${first.largest.toPrecision(2)} at most.`;
   }
