@@ -1,7 +1,7 @@
 import { MimoError } from "./error.js";
 import { Status } from "./generated/constants.js";
 import { Handle } from "./handle.js";
-import { Block, buffer, check, files, integer, numbers, wasm, within } from "./memory.js";
+import { Block, buffer, check, files, integer, numbers, shown, wasm, within } from "./memory.js";
 import { World } from "./world.js";
 
 /**
@@ -162,13 +162,14 @@ export class Recording extends Handle {
    * @param {number} [rows] all by default
    */
   read(dataset, kind, first = 0, rows = this.size(dataset).rows - first) {
+    const Numbers = numbers(kind);
+    if (Numbers === undefined) throw new TypeError(`kind is ${shown(kind)}, expected u8, i32, u32, u64, f32, f64 or size`);
     const bytes = integer("rows", rows, 0) * this.size(dataset).rowBytes;
     const block = new Block(bytes);
     try {
       within((frame) =>
         check(wasm().mimo_recording_read(this.pointer, frame.text("dataset", dataset), integer("first", first, 0), rows, block.pointer, bytes)),
       );
-      const Numbers = numbers(kind);
       return new Numbers(buffer().slice(block.pointer, block.pointer + bytes));
     } finally {
       block.free();

@@ -64,6 +64,7 @@ test("actions and other datasets are read as typed arrays", needed, () => {
   assert.equal(actions[rowBytes / 4], Math.fround(-0.3)); // step 1, motor 0: (7 - 10) / 10
   assert.deepEqual([...recording.read("time", "f64", 1, 1)], [0.02 * 1]);
   assert.throws(() => recording.size("nothing"), { code: "NOT_FOUND" });
+  assert.throws(() => recording.read("actions", "float"), /TypeError: kind is "float", expected u8, .* f32/);
   recording.close();
 });
 
