@@ -135,12 +135,6 @@ export class Files {
       return this.#next++;
     },
     fd_close: (/** @type {number} */ number) => (this.#open.delete(number) ? 0 : NOT_OPEN),
-    fd_sync: () => 0,
-    fd_fdstat_get: (/** @type {number} */ number, /** @type {number} */ at) => {
-      new Uint8Array(this.#memory(), at, 24).fill(0);
-      this.#view().setUint8(at, 4); // a plain file
-      return this.#open.has(number) || number < FIRST_NUMBER ? 0 : NOT_OPEN;
-    },
     fd_read: (/** @type {number} */ number, /** @type {number} */ parts, /** @type {number} */ count, /** @type {number} */ done) =>
       this.#move(number, parts, count, done, (open, piece) => {
         const length = Math.max(0, Math.min(piece.length, open.file.size - open.at));
@@ -177,7 +171,6 @@ export class Files {
     __syscall_stat64: (/** @type {number} */ path, /** @type {number} */ at) => this.#describeNamed(path, at),
     __syscall_lstat64: (/** @type {number} */ path, /** @type {number} */ at) => this.#describeNamed(path, at),
     __syscall_fstatat64: (/** @type {number} */ _, /** @type {number} */ path, /** @type {number} */ at) => this.#describeNamed(path, at),
-    __syscall_access: (/** @type {number} */ path) => (this.#files.has(this.#name(path)) ? 0 : -NO_SUCH_FILE),
     __syscall_readlink: () => -INVALID, // no file is a link
     __syscall_getcwd: (/** @type {number} */ at) => {
       this.#view().setUint16(at, "/".charCodeAt(0), true);
