@@ -1,4 +1,5 @@
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
 import test from "node:test";
 import * as mimo from "../src/index.js";
 import { Block } from "../src/memory.js";
@@ -53,6 +54,21 @@ test("the same seed and actions give the same bytes, a state and a clone go on a
   assert.deepEqual(worlds[1].block, worlds[0].block);
   assert.deepEqual(clone.block, worlds[0].block);
   [...worlds, clone].forEach((world) => world.close());
+});
+
+test("a kept state of a 64-bit system is unchanged after loading and saving", needed, async () => {
+  // As tests/states/worlds.c makes these worlds: the scene's infant, which sees nothing.
+  const kept = { free: {}, reach: {}, standup: {}, catch: {}, position: { actuation: mimo.Actuation.POSITION }, muscle: { actuation: mimo.Actuation.MUSCLE } };
+  for (const [name, options] of Object.entries(kept)) {
+    const state = new Uint8Array(await readFile(new URL(`../../../tests/states/1.0/${name}.state`, import.meta.url)));
+    const scene = new Scene("actuation" in options ? "free" : name);
+    scene.addAgent({ vision: 0, ...options });
+    const world = new World(scene);
+    world.loadState(state);
+    assert.deepEqual(world.saveState(), state, name);
+    world.close();
+    scene.close();
+  }
 });
 
 test("named access reads and writes: gravity is that of the earth, a face stays", needed, () => {
