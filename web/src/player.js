@@ -63,7 +63,7 @@ export class Player {
   #ownTask() {
     if (!this.#has("world")) return null;
     const calls = JSON.parse(new TextDecoder().decode(this.recording.read("world", "u8")));
-    return calls.findLast(({ call }) => call === "set_task")?.task ?? null;
+    return calls.filter(({ call }) => call === "set_task").at(-1)?.task ?? null;
   }
 
   /** All that is compared. */
