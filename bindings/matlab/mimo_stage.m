@@ -6,7 +6,8 @@ function stage = mimo_stage(varargin)
 %                  object_type
 %     'meshes'     vertex_counts, triangle_counts, vertices, triangles, normals, texcoords, ...
 %     'fields'     rows, columns, sizes (n x 4), heights: row after row
-%     'textures'   types ({'flat'}), heights, widths, channels, pixels: row after row, as permute(picture, [3 2 1])(:)
+%     'textures'   types ({'flat'}), heights, widths, channels, srgb,
+%                  pixels: row after row, as permute(picture, [3 2 1])(:)
 %     'materials'  colors (n x 4), emission, specular, shininess, reflectance, textures, repeats (n x 2), uniform
 %     'surfaces'   skins, cloth and ropes: vertex_counts, element_counts, vertices, elements, ...
 %     'tendons'    widths, colors, materials, groups
