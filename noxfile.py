@@ -132,3 +132,10 @@ def mujocos(session: nox.Session, mujoco: str) -> None:
     """mimo.Renderer with earlier versions of the package mujoco, and with no other package than NumPy."""
     install(session, f"mujoco-{mujoco}")
     check(session, "renderer")
+
+
+@nox.session
+def robosuite(session: nox.Session) -> None:
+    """A whole environment of robosuite that draws with rays. Its packages take 1.1 GB."""
+    install(session, "robosuite", "robosuite-alone")
+    check(session, "use_rays")

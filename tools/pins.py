@@ -73,14 +73,14 @@ def renew(keep):
         place = ("--python-platform", platform) if platform else ("--universal",)
         run(*uv, *place, "--python-version", python, *files, "-o", f"{pins}{name}.txt")
 
-    for name in ("tools", "conan", "zig", "lint", "site", "train", *EARLIER, *MUJOCOS):
+    for name in ("tools", "conan", "zig", "lint", "site", "train", "robosuite", *EARLIER, *MUJOCOS):
         compile_list(name, f"{pins}{name}.in")
     # pip asks the Python that runs it about conditions, so each Python that it installs for has a list without any.
     for python in ("3.9", "3.11", "3.13"):
         compile_list(f"run-{python}", f"{pins}run.in", python=python, platform="linux")
     compile_list("wine", f"{pins}wine.in", platform="windows")
     compile_list("ray", f"{pins}ray.in", "--no-emit-package", "torch")
-    for name in ("train-alone", *(f"{one}-alone" for one in EARLIER), "mujoco"):
+    for name in ("train-alone", "robosuite-alone", *(f"{one}-alone" for one in EARLIER), "mujoco"):
         compile_list(name, f"{pins}{name}.in", "--no-deps")
     compile_list("test", ours, "--extra", "test", python="3.9")
     extras = [word for one in ("test", "view", "video", "plot", "rerun", "usd") for word in ("--extra", one)]

@@ -64,7 +64,7 @@ def test_python():
 
 def test_pythons():
     wheel()
-    sessions("versions", "mujocos")
+    sessions("versions", "mujocos", "robosuite")
 
 
 def test_view():

@@ -1,5 +1,6 @@
 """mimo.gymnasium.use_rays: environments of Gymnasium, dm_control and robosuite that draw with rays."""
 
+import os
 import subprocess
 import sys
 
@@ -178,3 +179,68 @@ def test_an_alpha_below_0_hides():
             pictures.append(renderer.render())
     assert pictures[0][16, 16, 1] > 50
     np.testing.assert_array_equal(*pictures)
+
+
+LIFT = """
+import sys
+import numpy as np
+import robosuite
+cameras = ["frontview", "birdview", "agentview"]
+env = robosuite.make(
+    "Lift", robots="Panda", has_renderer=False, has_offscreen_renderer=True, camera_names=cameras,
+    camera_heights=128, camera_widths=128, camera_depths=True, camera_segmentations="element", seed=0,
+)
+env.set_xml_processor(lambda xml: xml.replace("<visual>", '<visual><quality offsamples="0"/>', 1))  # edges not smooth
+np.savez(sys.argv[1], **{name: value for name, value in env.reset().items() if name.startswith(tuple(cameras))})
+"""
+
+
+def lift(file, before, gl):
+    """Camera observations of a program in a process of its own."""
+    environment = {**os.environ, "MUJOCO_GL": gl}
+    subprocess.run([sys.executable, "-c", before + LIFT, file], check=True, env=environment, capture_output=True)
+    return np.load(file)
+
+
+def test_the_whole_lift_of_robosuite_looks_as_with_opengl(tmp_path):
+    pytest.importorskip("robosuite", reason="robosuite is not installed")
+    ours = lift(tmp_path / "ours.npz", "import mimo.gymnasium\nmimo.gymnasium.use_rays()\n", "disabled")
+    try:
+        theirs = lift(tmp_path / "theirs.npz", "", "osmesa")
+    except subprocess.CalledProcessError:
+        pytest.skip("there is no OSMesa on this machine")
+    assert sorted(ours) == sorted(theirs)
+    assert len(theirs.files) == 9
+    for name in theirs.files:
+        one, other = ours[name].astype(float), theirs[name].astype(float)
+        assert (ours[name].dtype, one.shape) == (theirs[name].dtype, other.shape)
+        if name.endswith("image"):
+            assert np.abs(one - other).mean() < 2, name  # of 255
+        elif name.endswith("depth"):
+            assert (np.abs(one - other) > 1e-3).mean() < 0.005, name
+        else:
+            assert (one != other).mean() < 0.005, name
+
+
+def test_the_window_of_robosuite_shows_rays(monkeypatch):
+    robosuite = pytest.importorskip("robosuite", reason="robosuite is not installed")
+    from robosuite.renderers.viewer import opencv_renderer
+
+    shown = []
+    monkeypatch.setattr(opencv_renderer.cv2, "imshow", lambda window, picture: shown.append(picture))
+    monkeypatch.setattr(opencv_renderer.cv2, "moveWindow", lambda *place: None)
+    monkeypatch.setattr(opencv_renderer.cv2, "waitKey", lambda milliseconds: -1)
+    monkeypatch.setattr(opencv_renderer.cv2, "destroyWindow", lambda window: None)
+    mimo.gymnasium.use_rays()
+    env = robosuite.make(
+        "Lift", robots="Panda", has_renderer=True, renderer="mujoco", has_offscreen_renderer=True, use_camera_obs=False
+    )
+    env.reset()
+    env.render()
+    (picture,) = shown
+    assert picture.shape == (800, 1280, 3)
+    with mimo.Renderer(env.sim.model._model, 800, 1280) as renderer:
+        context = env.sim._render_context_offscreen
+        renderer.update_scene(env.sim.data._data, context.cam, context.vopt)
+        np.testing.assert_array_equal(picture[..., ::-1], renderer.render())
+    env.close()
