@@ -103,9 +103,9 @@ def view(session: nox.Session) -> None:
 
 @nox.session
 def page(session: nox.Session) -> None:
-    """The page of build/web, in a headless browser."""
+    """The pages of build/web, in a headless browser."""
     install(session, "view")
-    check(session, "web_page")
+    check(session, "web_page", "recording_page")
 
 
 @nox.session

@@ -1,4 +1,4 @@
-"""The pages in build/web: the infant, which any server of files serves, and a page for recordings, which is one file."""
+"""The pages in build/web: the infant, which any server of files serves, and a page for recordings, one file."""
 
 import base64
 import gzip

@@ -175,7 +175,7 @@ async function start() {
     if (!recording) return say("This page has no recording yet: mimo export --html run.html run.h5 puts one into it");
     const stage = openStage();
     await load(moduleIn(page.module));
-    const shown = (globalThis.mimoPage = new RecordingPage(new Player(new Recording(bytesIn(recording))), stage, recording.dataset.name));
+    const shown = (globalThis.mimoPage = new RecordingPage(new Player(new Recording(bytesIn(recording), recording.dataset.name)), stage, recording.dataset.name));
     everyPicture(
       (now) => shown.tick(now),
       () => shown.pause(true),

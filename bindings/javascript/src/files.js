@@ -63,6 +63,11 @@ export class Files {
     this.#files.set(name, file);
   }
 
+  /** @param {string} name */
+  has(name) {
+    return this.#files.has(name);
+  }
+
   /** The bytes of a file. @param {string} name */
   bytes(name) {
     const file = this.#files.get(name);

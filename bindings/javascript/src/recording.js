@@ -10,10 +10,12 @@ import { World } from "./world.js";
  * @typedef {import("./generated/types.js").ReplayReport} ReplayReport
  */
 
-let made = 0;
-
-/** A name that no other file has. */
-const freshName = () => `/${++made}.h5`;
+/** A name that no other file has. @param {string} name */
+function freshName(name) {
+  let fresh = name;
+  for (let i = 2; files().has(fresh); i++) fresh = `${name} (${i})`;
+  return fresh;
+}
 
 /** What is done with a world, as the bytes of a file that all other languages read. */
 export class Recorder extends Handle {
@@ -25,7 +27,7 @@ export class Recorder extends Handle {
    * @param {RecorderOptions} [options]
    */
   constructor(world, options = {}) {
-    const file = freshName();
+    const file = freshName("recording.h5");
     const pointer = within((frame) => {
       const at = frame.place(4);
       check(wasm().mimo_recorder_open(world.pointer, frame.text("file", file), frame.struct("mimo_recorder_config", options), at));
@@ -57,10 +59,13 @@ export class Recorder extends Handle {
 
 /** A recording that is played again, and read. */
 export class Recording extends Handle {
-  /** @param {Uint8Array} bytes the file, of whichever language */
-  constructor(bytes) {
+  /**
+   * @param {Uint8Array} bytes the file, of whichever language
+   * @param {string} [name] by which messages call it
+   */
+  constructor(bytes, name = "recording.h5") {
     if (!(bytes instanceof Uint8Array)) throw new TypeError("bytes are no Uint8Array");
-    const file = freshName();
+    const file = freshName(name);
     files().put(file, bytes);
     let pointer = 0;
     try {

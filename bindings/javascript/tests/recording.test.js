@@ -80,7 +80,8 @@ test("a recording of another program is read", needed, async () => {
 });
 
 test("bytes that are no recording are refused with a sentence", needed, () => {
-  assert.throws(() => new Recording(new Uint8Array(1000)), (error) => error instanceof MimoError && /is not a recording/.test(error.message));
+  const refused = (name) => (error) => error instanceof MimoError && error.message.startsWith(`${name} is not a recording`);
+  assert.throws(() => new Recording(new Uint8Array(1000), "run.h5"), refused("run.h5"));
   assert.throws(() => new Recording("run.h5"), TypeError);
   const { bytes } = recorded();
   assert.throws(() => new Recording(bytes.slice(0, bytes.length / 2)), MimoError);
