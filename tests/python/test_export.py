@@ -349,6 +349,8 @@ def test_films_show_the_pictures(run, tmp_path):
         (["--wav", "{out}", "{run}", "--fields", "vestibular"], "keeps no sound"),
         (["--usd", "{out}", "{run}"], "--usd writes a scene, not the recording"),
         (["--nwb", "{out}", "{text}"], "text.h5"),
+        (["--html", "{out}", "{run}"], "expected a name that ends in .html"),
+        (["--html", "{out}", "{run}", "--fields", "touch"], "--fields has no effect on --html"),
     ],
 )
 def test_refused(run, tmp_path, capsys, arguments, message):

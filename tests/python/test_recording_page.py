@@ -3,6 +3,7 @@
 import contextlib
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -113,6 +114,18 @@ def test_a_number_that_was_changed_is_found(folder, recording):
             "59 of 60 steps are the same as in the file, to the last bit. "
             "joints/velocity differs first in step 42, at 0.42 s"
         )
+
+
+def test_the_python_package_writes_it_too(folder, recording):
+    out = folder / "python.html"
+    if subprocess.run([program(), "export", "--html", str(out), str(recording)], capture_output=True).returncode != 0:
+        pytest.skip("the page is not beside the program")
+    made = out.read_bytes()
+    out.unlink()
+    command = [sys.executable, "-m", "mimo.export", "--html", str(out), str(recording)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.stdout == f"wrote {out}\n", done.stderr
+    assert out.read_bytes() == made
 
 
 def test_a_page_has_all_inside_and_reaches_nothing(exported, recording):

@@ -27,7 +27,7 @@ export class Recorder extends Handle {
    * @param {RecorderOptions} [options]
    */
   constructor(world, options = {}) {
-    const file = freshName("recording.h5");
+    const file = freshName("/recording.h5"); // as the library completes a name
     const pointer = within((frame) => {
       const at = frame.place(4);
       check(wasm().mimo_recorder_open(world.pointer, frame.text("file", file), frame.struct("mimo_recorder_config", options), at));

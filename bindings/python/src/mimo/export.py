@@ -3,18 +3,23 @@
 python -m mimo.export --nwb run.nwb run.h5            # Neurodata Without Borders
 python -m mimo.export --bids-motion dataset run.h5    # BIDS, data type motion
 python -m mimo.export --csv tables run.h5             # also --wav, --mp4: a folder with a file for each field
+python -m mimo.export --html run.html run.h5          # a page that plays it, which the program mimo writes
 python -m mimo.export --usd infant.usdc --scene showroom
 """
 
 from __future__ import annotations
 
 import argparse
+import os
+import subprocess
 import sys
 from datetime import datetime
 from typing import Any, Callable, Dict, List, Optional
 
 from . import bids, by_field, nwb, usd
-from .errors import Error
+from ._hdf5 import with_hdf5
+from ._library import native_file
+from .errors import Error, UnsupportedError
 from .recordings import add_sense_option
 from .scene import scenes
 from .world import World
@@ -34,6 +39,7 @@ def _parser() -> argparse.ArgumentParser:
     kinds.add_argument("--csv", metavar="FOLDER", help="a recording: a table for each field")
     kinds.add_argument("--wav", metavar="FOLDER", help="a recording: a sound for each ear that it keeps")
     kinds.add_argument("--mp4", metavar="FOLDER", help="a recording: a film for each picture field that it keeps")
+    kinds.add_argument("--html", metavar="FILE.html", help="a recording: a page that plays it in a browser")
     kinds.add_argument("--usd", metavar="FILE", help="a scene: .usdc, .usda, or .usdz")
     recordings = parser.add_argument_group("of recordings")
     recordings.add_argument("--fields", metavar="LIST", help="senses and names of fields, as touch,vision/eye_left")
@@ -81,6 +87,22 @@ def _start(text: Optional[str]) -> Optional[datetime]:
         raise ValueError(f"--start is {text!r}, expected a time as 2026-05-01T12:00:00+00:00") from None
 
 
+def _page(asked: argparse.Namespace) -> str:
+    _refuse(asked, ("fields", "sense"), "--html, which writes a recording as it is")
+    program = native_file("mimo.exe" if sys.platform == "win32" else "mimo")
+    command = [str(program), "export", "--html", asked.html, asked.recording]
+
+    def write(hdf5: Optional[bytes]) -> None:
+        env = dict(os.environ, **({} if hdf5 is None else {"MIMO_HDF5": os.fsdecode(hdf5)}))
+        done = subprocess.run(command, capture_output=True, text=True, env=env)
+        if done.returncode != 0:
+            told = done.stderr.strip().partition(": ")[2]
+            raise UnsupportedError(told) if "libhdf5" in told else ValueError(told)
+
+    with_hdf5(write, None)
+    return f"wrote {asked.html}"
+
+
 def _of_recording(asked: argparse.Namespace) -> str:
     if asked.recording is None:
         raise ValueError("a recording is missing: give its file, as run.h5")
@@ -90,6 +112,8 @@ def _of_recording(asked: argparse.Namespace) -> str:
         written = nwb.write(asked.recording, asked.nwb, fields, asked.infant or 0, _start(asked.start), asked.sense)
         return f"wrote {asked.nwb}: {len(written)} series"
     _refuse(asked, ("infant", "start"), "any but --nwb")
+    if asked.html is not None:
+        return _page(asked)
     if asked.bids_motion is not None:
         left_out = bids.write(asked.recording, asked.bids_motion, fields, asked.sense)
         return f"wrote {asked.bids_motion}" + (f"; no channels of motion: {', '.join(left_out)}" if left_out else "")
