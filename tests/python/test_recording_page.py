@@ -150,7 +150,7 @@ def test_the_reader_takes_over_and_goes_back(exported):
         moved = shown.evaluate(
             """() => {
               const { player, pull, stage } = mimoPage;
-              const body = stage.bodies.findIndex((_, i) => player.world.name(1, i) === "right_foot");
+              const body = stage.bodies.findIndex((_, i) => player.world.name(1, i) === "head");
               const place = () => stage.bodies[body].position.clone();
               const from = place();
               Object.assign(pull, { body, at: from.clone().set(0, 0, 0), target: from.clone().setY(from.y + 0.4) });
@@ -266,4 +266,4 @@ def test_page_without_a_recording_or_with_a_damaged_one_says_so(folder, exported
     damaged = folder / "damaged.html"
     damaged.write_text(text[: start + 4000] + text[text.index("</script>", start) :], encoding="utf-8")
     with opened(damaged) as shown:
-        assert "stand up.h5 is an HDF5 file, but not a recording" in shown.inner_text("#message")
+        assert "stand up.h5 is an hdf5 file, but not a recording" in shown.inner_text("#message").lower()
