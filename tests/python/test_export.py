@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from recorded import record, table_of
+from recorded import program, record, table_of
 
 import mimo
 from mimo import bids, by_field, export, nwb
@@ -330,6 +330,17 @@ def test_films_show_the_pictures(run, tmp_path):
 
 
 # ---- What is refused -------------------------------------------------------------------------------------------------
+
+
+def test_the_page_of_a_wheel_is_beside_the_program(run, tmp_path, monkeypatch, capsys):
+    """The program of Windows and macOS does not look for it there."""
+    (tmp_path / "mimo").symlink_to(Path(program()).resolve())
+    monkeypatch.setattr(export, "native_file", lambda name: tmp_path / "mimo")
+    (tmp_path / "recording.html").write_text("<p>before</p><!-- recording -->")
+    out = tmp_path / "run.html"
+    assert export.main(["--html", str(out), str(run)]) == 0
+    assert capsys.readouterr().out == f"wrote {out}\n"
+    assert out.read_text().startswith('<p>before</p><script type="text/plain" id="recording" data-name="run.h5">')
 
 
 @pytest.mark.parametrize(
