@@ -116,6 +116,20 @@ def test_a_number_that_was_changed_is_found(folder, recording):
         )
 
 
+@needs_maths
+def test_what_differed_is_named_also_after_senses_were_added(folder, recording):
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    changed = folder / "field.h5"
+    changed.write_bytes(recording.read_bytes())
+    with h5py.File(changed, "r+") as file:
+        file["fields/proprioception/position"][4, 0] += 1
+    with opened(export(changed, folder / "field.html")) as shown:
+        play(shown, 10)
+        shown.click("#add")
+        play(shown, 1)
+        assert "fields/proprioception/position differs first in step 5, at 0.05 s" in shown.inner_text("#verdict")
+
+
 def test_the_python_package_writes_it_too(folder, recording):
     out = folder / "python.html"
     if subprocess.run([program(), "export", "--html", str(out), str(recording)], capture_output=True).returncode != 0:
