@@ -20,7 +20,7 @@ def connect(address: Optional[str] = None, **options: Any) -> None:
     """
     if ray.is_initialized():
         return
-    if " " in sys.executable:
+    if " " in (sys.executable or ""):
         warnings.warn(
             f"Ray starts workers of Tune by a shell that splits the path of Python, {sys.executable!r}, at the space,"
             " and waits for them without an end: make the environment on a path without spaces",
