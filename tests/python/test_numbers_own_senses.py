@@ -30,7 +30,7 @@ def test_kicks_beside_those_of_infants(monkeypatch):
         words = name.replace("mean,", "mean acceleration,").replace("peak,", "peak acceleration,")
         page.says(f"| {words} | {{}} to {{}} | {{}} | {{}} | {{}} | {{}} |", *study, *here)
     page.says("which it does in {} % of these movements", 100 * touched.mean())
-    page.says("keeps all {} samples a second", kicks.RATE)
+    page.says("With all {} samples a second", kicks.RATE)
     page.says("out of {} samples a second", kicks.KEPT)
     page.says("an infant of {} months that babbles on its back for {} s", 6, 120)
     # What the page says in words: means within the study's range, and peaks of legs that are free.
