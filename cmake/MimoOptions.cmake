@@ -32,6 +32,9 @@ elseif(EMSCRIPTEN)
   # translates SSE2. Eigen then also includes the compiler's own header for MMX, which is for x86 only and empty under
   # this name, and writes assembly for versions of GCC before 6.3, such as the 4.2 that Clang calls itself.
   add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:SHELL:-msse2 -D__MMINTRIN_H -fgnuc-version=4.23>")
+  # Clang 14 for WebAssembly packs scalars into wrong vectors: growth/mechanics.cpp without SSE2 gave other inertias with
+  # -O3 than with -O0 or with this.
+  add_compile_options(-fno-slp-vectorize)
 endif()
 
 set(mimo_warnings -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
