@@ -83,7 +83,7 @@ def limits(program, gigabytes):
     options = f"hard_rss_limit_mb={gigabytes * 1024}:detect_leaks=1:allocator_may_return_null=1"
     environment["ASAN_OPTIONS"] = options
     environment["UBSAN_OPTIONS"] = "print_stacktrace=1"
-    environment["LSAN_OPTIONS"] = f"suppressions={HERE.parent}/support/lsan.supp:print_suppressions=0"
+    environment["LSAN_OPTIONS"] = f"suppressions='{HERE.parent}/support/lsan.supp':print_suppressions=0"
     sanitized = is_sanitized(program)  # its shadow memory has terabytes of addresses
 
     def prepare():
