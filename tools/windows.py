@@ -128,7 +128,7 @@ def check_other_mujoco():
     ours = on_windows(other / "mimo/mimo.dll")
     status, said = python("-c", "import mimo; mimo.make('reach')", MIMO_LIBRARY=ours)
     if status == 0 or not re.search(
-        r"made for MuJoCo 2\.2\.2, but got MuJoCo .*the one that came with it", said, re.DOTALL
+        r"built for MuJoCo 2\.2\.2, but found MuJoCo .*replaced the one in libmimo's folder", said, re.DOTALL
     ):
         fail(f"with another MuJoCo Windows' Python says ({status}): {said}")
     print("Other MuJoCos are left alone or refused on Windows")
