@@ -19,7 +19,8 @@ from .clock import Clock
 OVERLAP = 1.0  # s of sound that are sent again, because messages to a slow page replace each other
 USUAL, LOUDEST = 20, 60  # dB above 1 Pa at full scale
 PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
-# `at` is the time of the next samples, `done` the number of the first one that was not passed on yet.
+# `at` is the time of the next samples, `done` the number of the first one that was not passed on yet. What lies more than
+# 3 s of the infant's time ahead is cut short.
 PLAYER = (
     "const given=this.dataset,rate=+given.rate,speed=+given.speed,first=+given.first;"
     "const it=window.mimoSound??={context:new AudioContext({sampleRate:rate}),at:0,done:first,run:given.run};"
@@ -32,7 +33,7 @@ PLAYER = (
     "for(let i=0;i<count;i++)to[i]=both[2*(skip+i)+ear]/32768}"
     "const player=it.context.createBufferSource();player.buffer=piece;player.playbackRate.value=speed;"
     "player.connect(it.context.destination);const now=it.context.currentTime;"
-    "if(it.at<now||it.at>now+3)it.at=now+0.3;"
+    "if(it.at<now||it.at>now+3/speed)it.at=now+0.3;"
     "player.start(it.at);it.at+=count/rate/speed;it.done=first+skip+count}"
 )
 
