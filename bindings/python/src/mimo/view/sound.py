@@ -19,8 +19,8 @@ from .clock import Clock
 OVERLAP = 1.0  # s of sound that are sent again, because messages to a slow page replace each other
 USUAL, LOUDEST = 20, 60  # dB above 1 Pa at full scale
 PIXEL = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
-# `at` is the time of the next samples, `done` the number of the first one that was not passed on yet. What lies more than
-# 3 s of the infant's time ahead is cut short.
+# `at` is the time of the next samples, `done` the number of the first one that was not passed on yet. A queue of more
+# than 3 s of the infant's time begins anew.
 PLAYER = (
     "const given=this.dataset,rate=+given.rate,speed=+given.speed,first=+given.first;"
     "const it=window.mimoSound??={context:new AudioContext({sampleRate:rate}),at:0,done:first,run:given.run};"
