@@ -192,7 +192,7 @@ def grouped(pairs):
 def shortened(message):
     """A message as code, without what differs from file to file, so that equal reasons are one row."""
     message = re.sub(r"^MIMO_E_\w+: |^Error: |Object name = .*", "", message)
-    message = re.sub(r"\S*/packages/\S*/", "", message)
+    message = re.sub(r"(/[^/:]*)*/packages/\S*/", "", message)  # a path may have spaces
     message = re.sub(r"^\S+\.xml, line \d+: (\w*\s?Error: )?", "", message)
     text = message.strip()[:150].replace("|", "\\|").replace("'", '"')  # doxygen ends code at an apostrophe
     return f"`{text}`"
