@@ -306,18 +306,6 @@ void export_scene(const ExportOptions& options, const CLI::App& command) {
   scene.write(options.gltf);
 }
 
-std::string check_glb(const std::string& path) {
-  return has_ending(path, ".glb") ? "" : "expected a name that ends in .glb, not '" + path + "'";
-}
-
-std::string check_fmu(const std::string& path) {
-  return has_ending(path, ".fmu") ? "" : "expected a name that ends in .fmu, not '" + path + "'";
-}
-
-std::string check_html(const std::string& path) {
-  return has_ending(path, ".html") ? "" : "expected a name that ends in .html, not '" + path + "'";
-}
-
 std::string check_segments(const std::string& text) {
   const auto& range = mimo::ranges::mesh::segments;
   if (count(range)(text).empty() && std::stoi(text) % 4 == 0) return "";
@@ -336,15 +324,15 @@ void add_export(CLI::App& program) {
   add_unit_options(*command, options->unit);
   command->add_option("--fmu", options->fmu, "A unit of FMI, for co-simulation: Simulink, Modelica, FMPy")
       ->type_name("FILE.fmu")
-      ->check(CLI::Validator(check_fmu, ""));
+      ->check(CLI::Validator(ends_in({".fmu"}), ""));
   command->add_option("--gltf", options->gltf, "glTF 2.0, with textures inside: Blender, Unity, Godot, three.js")
       ->type_name("FILE.glb")
-      ->check(CLI::Validator(check_glb, ""));
+      ->check(CLI::Validator(ends_in({".glb"}), ""));
   command
       ->add_option("--html", options->page.out,
                    "A page that plays a recording, with all that it needs inside; it opens\nfrom a disk")
       ->type_name("FILE.html")
-      ->check(CLI::Validator(check_html, ""));
+      ->check(CLI::Validator(ends_in({".html"}), ""));
   command
       ->add_option("--page", options->page.without,
                    "The page without a recording, which ./dev web makes. Default: that which is\nbeside the program")

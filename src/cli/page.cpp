@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <iterator>
 #include <mimo/mimo.hpp>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -19,13 +18,6 @@ namespace {
 // ./dev web makes the page with this line in it, where the recording goes.
 constexpr char kPlace[] = "<!-- recording -->";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a text of a browser ends at half a gigabyte
-
-std::string read_file(const std::string& path) {
-  std::ifstream file = open_to_read(path);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) throw Failure("cannot read " + path);
-  return bytes;
-}
 
 // Beside the program as it is installed, built, or packed into a wheel.
 std::string find_page() {

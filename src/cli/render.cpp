@@ -124,20 +124,20 @@ void add_render(CLI::App& program) {
   add_seed_option(*command, options->world);
   command->add_option("--out", options->out, "The picture, a PNG file")
       ->type_name("FILE.png")
-      ->check(CLI::Validator(check_png, ""))
+      ->check(CLI::Validator(ends_in({".png"}), ""))
       ->required();
   command
       ->add_option("--depth", options->depth,
                    "Depth along the camera's axis: a .png of 16-bit millimetres, 0 for\n"
                    "nothing or more than 65.5 m; a .npy of NumPy's: float32 metres")
       ->type_name("FILE")
-      ->check(CLI::Validator(check_png_or_npy, ""));
+      ->check(CLI::Validator(ends_in({".png", ".npy"}), ""));
   command
       ->add_option("--segmentation", options->segmentation,
                    "The geom that each pixel shows: a .png of colours, black for none;\n"
                    "a .npy of NumPy's: int32 ids, -1 for none")
       ->type_name("FILE")
-      ->check(CLI::Validator(check_png_or_npy, ""));
+      ->check(CLI::Validator(ends_in({".png", ".npy"}), ""));
   command->footer(
       "Examples:\n"
       "  mimo render --out scene.png\n"

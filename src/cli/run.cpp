@@ -216,7 +216,7 @@ void add_run(CLI::App& program) {
       ->add_option("--sound", options->sound,
                    "Also write what both ears of the first infant hear, as a WAV file;\nswitches the ears on")
       ->type_name("FILE")
-      ->check(CLI::Validator(check_wav, ""));
+      ->check(CLI::Validator(ends_in({".wav"}), ""));
   command
       ->add_option("--full-scale", options->full_scale,
                    "Sound pressure of the largest number in that file; louder sound is\nclipped. A cry reaches 13 "

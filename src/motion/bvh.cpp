@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -31,9 +30,7 @@ bool same_word(std::string_view word, std::string_view keyword) {
 // Words of a text, and where they are. A bracket is a word of its own.
 class Words {
  public:
-  explicit Words(const std::string& path) : path_(path) {
-    std::ifstream file = open_to_read(path);
-    text_.assign(std::istreambuf_iterator<char>(file), {});
+  explicit Words(const std::string& path) : path_(path), text_(read_file(path)) {
     rest_ = text_;
     if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // the mark that some editors put first
   }

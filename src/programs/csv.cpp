@@ -1,8 +1,6 @@
 #include "programs/csv.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -33,9 +31,7 @@ char separator_of(std::string_view line) {
 // Reads rows and knows where it is.
 class Reader {
  public:
-  explicit Reader(const std::string& path) : path_(path) {
-    std::ifstream file = open_to_read(path);
-    text_.assign(std::istreambuf_iterator<char>(file), {});
+  explicit Reader(const std::string& path) : path_(path), text_(read_file(path)) {
     rest_ = text_;
     if (rest_.substr(0, 3) == "\xEF\xBB\xBF") rest_.remove_prefix(3);  // the mark that some spreadsheets put first
     separator_ = separator_of(rest_.substr(0, rest_.find_first_of(kEnds)));

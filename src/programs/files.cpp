@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <random>
 
 #include "programs/program.h"
@@ -112,17 +113,22 @@ std::ifstream open_to_read(const std::string& path) {
   return file;
 }
 
-std::string check_png(const std::string& path) {
-  return has_ending(path, ".png") ? "" : "expected a name that ends in .png, not '" + path + "'";
+std::string read_file(const std::string& path) {
+  std::ifstream file = open_to_read(path);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw Failure("cannot read " + path);
+  return bytes;
 }
 
-std::string check_wav(const std::string& path) {
-  return has_ending(path, ".wav") ? "" : "expected a name that ends in .wav, not '" + path + "'";
-}
-
-std::string check_png_or_npy(const std::string& path) {
-  const bool good = has_ending(path, ".png") || has_ending(path, ".npy");
-  return good ? "" : "expected a name that ends in .png or .npy, not '" + path + "'";
+std::function<std::string(const std::string&)> ends_in(const std::vector<std::string>& endings) {
+  return [endings](const std::string& path) -> std::string {
+    std::string expected;
+    for (const std::string& ending : endings) {
+      if (has_ending(path, ending)) return "";
+      expected += (expected.empty() ? "" : " or ") + ending;
+    }
+    return "expected a name that ends in " + expected + ", not '" + path + "'";
+  };
 }
 
 }  // namespace cli

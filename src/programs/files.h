@@ -2,8 +2,10 @@
 #pragma once
 
 #include <fstream>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cli {
 
@@ -23,9 +25,10 @@ void make_folder(const std::string& path);
 // Throws a Failure where the file cannot be read, and for what would be waited for or has no end.
 std::ifstream open_to_read(const std::string& path);
 
-// For CLI::Validator: a complaint, or "".
-std::string check_png(const std::string& path);
-std::string check_wav(const std::string& path);
-std::string check_png_or_npy(const std::string& path);
+// A whole file, or a Failure.
+std::string read_file(const std::string& path);
+
+// For CLI::Validator: complains of a name that ends in none of these, otherwise gives "".
+std::function<std::string(const std::string&)> ends_in(const std::vector<std::string>& endings);
 
 }  // namespace cli
