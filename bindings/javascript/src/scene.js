@@ -14,8 +14,8 @@ export class Scene extends SceneCalls {
   #forget;
 
   /**
-   * A built-in scene by its name; or one by options: `xml` is an MJCF document. The module has no files, so a `file` is
-   * not found.
+   * A built-in scene by its name; or one by options: `xml` is an MJCF document. The module sees no files of the
+   * system, so a `file` is not found.
    * @param {string | SceneOptions} [scene]
    */
   constructor(scene = {}) {
