@@ -45,7 +45,8 @@ struct Output {
 
 // What became of a world in the last call that concerned it.
 
-struct Report {
+// On a cache line of its own: the threads of a batch write into those of neighbouring worlds at the same time.
+struct alignas(64) Report {
   Status status = Status::kOk;
   std::string message;
   bool settled = false;  // it failed, and was or will be restarted as configured

@@ -26,6 +26,7 @@ void add_export(CLI::App& program);
 void add_record(CLI::App& program);
 void add_replay(CLI::App& program);
 void add_new(CLI::App& program);
+void add_bench(CLI::App& program);
 
 // mimo replay --motion: a world follows a movement that is known.
 

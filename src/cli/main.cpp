@@ -18,6 +18,7 @@ void describe(CLI::App& program) {
   cli::add_record(program);
   cli::add_replay(program);
   cli::add_new(program);
+  cli::add_bench(program);
   for (CLI::App* command : program.get_subcommands({})) command->group("Commands");
   program.footer(
       "'mimo COMMAND --help' explains a command.\n"

@@ -11,7 +11,7 @@ from program import PROGRAM, SOURCES, Case
 class Usage(Case):
     def test_help(self):
         self.assertIn("rollout", self.mimo("--help"))
-        for command in ("run", "info", "render", "rollout", "export", "record", "replay", "new"):
+        for command in ("run", "info", "render", "rollout", "export", "record", "replay", "new", "bench"):
             text = self.mimo(command, "--help")
             self.assertIn("Example", text)
             self.assertIn("mimo " + command, text)
@@ -79,7 +79,7 @@ class Usage(Case):
         page = (SOURCES / "src/cli/mimo.1").read_text().replace("\\", "")
         synopsis, explained = page[page.index(".Sh SYNOPSIS"):page.index(".Sh DESCRIPTION")], page[page.index(".Sh DESCRIPTION"):]
         shared = set(re.findall(r"^\.It Fl -([a-z-]+)", page[page.index(".Ss Options of several"):], re.M))
-        for command in ("run", "info", "render", "rollout", "export", "record", "replay"):
+        for command in ("run", "info", "render", "rollout", "export", "record", "replay", "bench"):
             help_text = self.mimo(command, "--help")
             options = set(re.findall(r"^ +(?:-h,)?--([a-z-]+)", help_text, re.M)) - {"help"}
             self.assertGreater(len(options), 5)
