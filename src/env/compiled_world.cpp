@@ -46,7 +46,8 @@ std::unique_ptr<render::Renderer> make_renderer(const engine::ModelPtr& model, c
   try {
     return make_rays(model, options.quality, services);
   } catch (const Error& error) {
-    if (choice == RendererChoice::kRay || error.status() != Status::kUnsupported) throw;
+    const bool is_last = choice == RendererChoice::kRay || !opengl::kExists;
+    if (is_last || error.status() != Status::kUnsupported) throw;
     services.log(LogLevel::kInfo, "drawing with OSMesa: " + error.message());
     return by(opengl::osmesa());
   }

@@ -46,6 +46,12 @@ class MujocoBinding {
   std::unique_ptr<Detour> detour_;
 };
 
+#if defined(__linux__)
+constexpr bool kExists = true;
+#else
+constexpr bool kExists = false;  // absent.cpp
+#endif
+
 class Platform;
 using PlatformPtr = std::shared_ptr<const Platform>;
 
