@@ -1,7 +1,7 @@
 import { Handle } from "./handle.js";
 import { Autoreset } from "./generated/constants.js";
 import { layoutOf } from "./layout.js";
-import { receive } from "./log.js";
+import { withLog } from "./log.js";
 import { Block, check, integer, textAt, view, wasm, within } from "./memory.js";
 import { idsOf, Named } from "./named.js";
 import { Actions, growths, Results } from "./observed.js";
@@ -23,7 +23,6 @@ export class Batch extends Handle {
   #final;
   #actions;
   #results;
-  #forget;
 
   /**
    * @param {string | Scene} scene a built-in scene with all its infants, by name; or a scene
@@ -33,21 +32,25 @@ export class Batch extends Handle {
     const own = typeof scene === "string" ? new Scene(scene) : scene;
     const parts = /** @type {{free(): void}[]} */ ([]);
     const [pointer, forget] = within((frame) => {
-      if (own !== scene) own.addAgents();
-      const at = frame.place(4);
-      const config = frame.struct("mimo_env_config", options);
-      const forget = receive(log, config + offsetOf("mimo_env_config", "log"));
-      const many = frame.struct("mimo_batch_config", { worlds, threads, autoreset, restartFailed, cohortCount: ages.length });
-      if (ages.length > 0) frame.point("mimo_batch_config", many, "cohort", growths(frame, ages));
-      check(wasm().mimo_batch_create(own.pointer, config, many, at));
-      return [frame.numberAt("size", at), forget];
+      try {
+        if (own !== scene) own.addAgents();
+        const at = frame.place(4);
+        const config = frame.struct("mimo_env_config", options);
+        const many = frame.struct("mimo_batch_config", { worlds, threads, autoreset, restartFailed, cohortCount: ages.length });
+        if (ages.length > 0) frame.point("mimo_batch_config", many, "cohort", growths(frame, ages));
+        return withLog(log, config + offsetOf("mimo_env_config", "log"), () => {
+          check(wasm().mimo_batch_create(own.pointer, config, many, at));
+          return frame.numberAt("size", at);
+        });
+      } finally {
+        if (own !== scene) own.close();
+      }
     });
-    if (own !== scene) own.close();
     super(pointer, () => {
       wasm().mimo_batch_destroy(pointer);
+      forget();
       for (const part of parts) part.free();
     });
-    this.#forget = forget;
     /** Number of worlds. */
     this.worlds = worlds;
     /** Number of threads that step them. */
@@ -76,11 +79,6 @@ export class Batch extends Handle {
     parts.push(this.#blocks, this.#final, this.#actions, this.#results);
     /** @type {BatchStep} */
     this.results = stepOf(this.#results);
-  }
-
-  close() {
-    super.close();
-    this.#forget();
   }
 
   /** The observations of all worlds as bytes in the module's memory. @returns {Uint8Array} */

@@ -12,11 +12,29 @@ let last = 0;
 const receivers = new WeakMap();
 
 /**
+ * Makes something with a log. What is refused has none afterwards; else the second function forgets it.
+ * @template T
+ * @param {Log | undefined} log
+ * @param {number} at where the member log of its config is
+ * @param {() => T} make
+ * @returns {[T, () => void]}
+ */
+export function withLog(log, at, make) {
+  const forget = receive(log, at);
+  try {
+    return [make(), forget];
+  } catch (error) {
+    forget();
+    throw error;
+  }
+}
+
+/**
  * Puts a function into the members log and log_user of a config; returns a function that forgets it.
  * @param {Log | undefined} log
- * @param {number} at where the member log is
+ * @param {number} at
  */
-export function receive(log, at) {
+function receive(log, at) {
   if (log === undefined) return () => {};
   if (typeof log !== "function") throw new TypeError(`log is ${shown(log)}, expected a function`);
   const module = wasm();

@@ -1,7 +1,7 @@
 import { SceneCalls } from "./generated/scene_calls.js";
 import { offsetOf } from "./structs.js";
 import { check, Frame, integer, wasm, within } from "./memory.js";
-import { receive } from "./log.js";
+import { withLog } from "./log.js";
 import { writeTask } from "./task.js";
 
 /**
@@ -11,8 +11,6 @@ import { writeTask } from "./task.js";
 
 /** A room, objects, infants and cameras, of which worlds are made. */
 export class Scene extends SceneCalls {
-  #forget;
-
   /**
    * A built-in scene by its name; or one by options: `xml` is an MJCF document. The module sees no files of the
    * system, so a `file` is not found.
@@ -22,18 +20,16 @@ export class Scene extends SceneCalls {
     const { log, ...options } = typeof scene === "string" ? { name: scene, log: undefined } : scene;
     const [pointer, forget] = within((frame) => {
       const config = frame.struct("mimo_scene_config", options);
-      const forget = receive(log, config + offsetOf("mimo_scene_config", "log"));
       const at = frame.place(4);
-      check(wasm().mimo_scene_create(config, at));
-      return [frame.numberAt("size", at), forget];
+      return withLog(log, config + offsetOf("mimo_scene_config", "log"), () => {
+        check(wasm().mimo_scene_create(config, at));
+        return frame.numberAt("size", at);
+      });
     });
-    super(pointer, () => wasm().mimo_scene_destroy(pointer));
-    this.#forget = forget;
-  }
-
-  close() {
-    super.close();
-    this.#forget();
+    super(pointer, () => {
+      wasm().mimo_scene_destroy(pointer);
+      forget();
+    });
   }
 
   /**

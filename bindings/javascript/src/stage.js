@@ -1,5 +1,5 @@
 import { Handle } from "./handle.js";
-import { receive } from "./log.js";
+import { withLog } from "./log.js";
 import { check, integer, wasm, within } from "./memory.js";
 import { offsetOf } from "./structs.js";
 
@@ -28,24 +28,20 @@ import { offsetOf } from "./structs.js";
  * `lights` and `air`. An array has the numbers of its elements one after the other.
  */
 export class Stage extends Handle {
-  #forget;
-
   /** @param {StageParts} [parts] */
   constructor({ log, ...parts } = {}) {
     const [pointer, forget] = within((frame) => {
       const config = frame.struct("mimo_stage_config", parts);
-      const forget = receive(log, config + offsetOf("mimo_stage_config", "log"));
       const at = frame.place(4);
-      check(wasm().mimo_stage_create(config, at));
-      return [frame.numberAt("size", at), forget];
+      return withLog(log, config + offsetOf("mimo_stage_config", "log"), () => {
+        check(wasm().mimo_stage_create(config, at));
+        return frame.numberAt("size", at);
+      });
     });
-    super(pointer, () => wasm().mimo_stage_destroy(pointer));
-    this.#forget = forget;
-  }
-
-  close() {
-    super.close();
-    this.#forget();
+    super(pointer, () => {
+      wasm().mimo_stage_destroy(pointer);
+      forget();
+    });
   }
 
   /**

@@ -1,7 +1,7 @@
 import { MimoError } from "./error.js";
 import { Status } from "./generated/constants.js";
 import { layoutOf } from "./layout.js";
-import { receive } from "./log.js";
+import { withLog } from "./log.js";
 import { Block, buffer, check, integer, view, wasm, within } from "./memory.js";
 import { forget, Named } from "./named.js";
 import { Actions, growths, Results } from "./observed.js";
@@ -31,8 +31,6 @@ export class World extends Named {
   #views = null;
   /** @type {ArrayBuffer | null} */
   #seen = null;
-  /** @type {() => void} */
-  #forget;
 
   /**
    * @param {string | Scene | number} scene a built-in scene with all its infants, by name; or a scene
@@ -44,9 +42,9 @@ export class World extends Named {
     super(pointer, () => {
       wasm().mimo_env_destroy(pointer);
       forget(pointer);
+      forgetLog();
       for (const part of parts) part.free();
     });
-    this.#forget = forgetLog;
     /** The fields, actions and terms of this world. */
     this.layout = layoutOf((at) => wasm().mimo_env_layout(pointer, at));
     const { agents, terms, actions, blockBytes } = this.layout;
@@ -56,11 +54,6 @@ export class World extends Named {
     parts.push(this.#block, this.#actions, this.#results);
     /** @type {Step} */
     this.results = stepOf(this.#results);
-  }
-
-  close() {
-    super.close();
-    this.#forget();
   }
 
   /** @internal */
@@ -159,9 +152,10 @@ function made(scene, { log, ...options }) {
     try {
       if (own !== scene) own.addAgents();
       const config = frame.struct("mimo_env_config", options);
-      const forgetLog = receive(log, config + offsetOf("mimo_env_config", "log"));
-      check(wasm().mimo_env_create(own.pointer, config, at));
-      return [frame.numberAt("size", at), forgetLog];
+      return withLog(log, config + offsetOf("mimo_env_config", "log"), () => {
+        check(wasm().mimo_env_create(own.pointer, config, at));
+        return frame.numberAt("size", at);
+      });
     } finally {
       if (own !== scene) own.close();
     }
