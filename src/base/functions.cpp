@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/substitutes.h"
+
 namespace mimo::fixed {
 namespace {
 
@@ -315,6 +317,15 @@ double whole_angle(const Pair& y, double x) {
   return x < 0 ? (kPi + -angle).high : angle.high;
 }
 
+// Of a triangle with a right angle, whose longest side is 1: sqrt(1 - x^2).
+Pair other_leg(double x) {
+  const Pair square = product(x, x), left = sum(1, -square.high) + Pair{-square.low, 0};
+  const double root = std::sqrt(left.high);
+  if (root == 0) return {0, 0};
+  const Pair of_root = product(root, root);
+  return quick_sum(root, ((left.high - of_root.high) - of_root.low + left.low) / (2 * root));
+}
+
 // Both numbers times the power of 2 that brings the larger one near 1.
 double near_1(double x, double larger) {
   const int power = static_cast<int>(bits_of(larger) >> 52) - 1023;
@@ -411,12 +422,16 @@ double tan(double x) {
 
 double acos(double x) {
   if (!(std::abs(x) <= 1)) return kNoNumber;
-  const Pair square = product(x, x);  // of the sine: 1 - x^2
-  const Pair left = sum(1, -square.high) + Pair{-square.low, 0};
-  const double root = std::sqrt(left.high);
-  if (root == 0) return x > 0 ? 0 : kPi.high;
-  const Pair of_root = product(root, root);
-  return whole_angle(quick_sum(root, ((left.high - of_root.high) - of_root.low + left.low) / (2 * root)), x);
+  const Pair leg = other_leg(x);
+  if (leg.high == 0) return x > 0 ? 0 : kPi.high;
+  return whole_angle(leg, x);
+}
+
+double asin(double x) {
+  if (!(std::abs(x) <= 1)) return kNoNumber;
+  if (std::abs(x) < kTiny) return x;
+  const Pair leg = other_leg(x);
+  return std::copysign(leg.high == 0 ? kPi.high / 2 : quarter_angle({std::abs(x), 0}, leg).high, x);
 }
 
 double atan(double x) { return std::abs(x) < kTiny ? x : atan2(x, 1); }

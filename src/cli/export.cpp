@@ -45,7 +45,6 @@ constexpr const char* kOfWorlds[] = {
     "--body",   "--age",    "--physiological-age", "--sex",  "--percentile", "--z-length", "--z-weight",
     "--z-head", "--growth", "--actuation",         "--face", "--seed"};
 constexpr const char* kOfShapes[] = {"--seconds", "--segments"};
-constexpr const char* kOfPages[] = {"--page"};
 
 struct ExportOptions {
   UnitOptions unit;
@@ -278,7 +277,9 @@ void export_scene(const ExportOptions& options, const CLI::App& command) {
                   (options.recording.empty() ? it.rest : options.recording));
   }
   if (!options.page.out.empty()) return export_page(options, command);
-  refuse(command, kOfPages, options.fmu.empty() ? "--gltf" : "--fmu");
+  if (!options.page.without.empty()) {
+    throw Failure("--page is for --html, the page to be written: --html FILE.html run.h5 is missing");
+  }
   if (!options.gltf.empty() && !options.fmu.empty()) throw Failure("--gltf and --fmu are two files; give one of them");
   if (options.gltf.empty() && options.fmu.empty()) throw CLI::RequiredError("--gltf, --fmu or --html");
   if (!options.recording.empty()) {

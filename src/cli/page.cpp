@@ -1,14 +1,19 @@
 #include "cli/page.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <mimo/mimo.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 #include "programs/files.h"
 #include "programs/program.h"
 #include "programs/text.h"
+#include "programs/this_program.h"
+#include "rounding/rounding.h"
 
 namespace fs = std::filesystem;
 
@@ -21,8 +26,8 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;  // a text of a
 
 // Beside the program as it is installed, built, or packed into a wheel.
 std::string find_page() {
+  const fs::path folder = folder_of_this_program();
   std::error_code unknown;
-  const fs::path folder = fs::canonical("/proc/self/exe", unknown).parent_path();
   for (const char* place : {"../share/mimo/web/recording.html", "../web/recording.html", "recording.html"}) {
     if (const fs::path file = folder / place; !folder.empty() && fs::is_regular_file(file, unknown)) {
       return file.lexically_normal().string();
@@ -34,8 +39,7 @@ std::string find_page() {
 }
 
 // What a page cannot play is said before it is written.
-void require_playable(const std::string& file) {
-  const mimo::Recording recording(file);
+void require_playable(const std::string& file, const mimo::Recording& recording) {
   const mimo_recording_info info = recording.info();
   if (info.format_version < 3) {
     throw Failure(file + " has format version " + std::to_string(info.format_version) +
@@ -49,7 +53,48 @@ void require_playable(const std::string& file) {
                     "', whose library a browser cannot load");
     }
   }
-  static_cast<void>(recording.env());
+}
+
+// Plays the recording, and takes it up again where a page does: at the next kept state after steps that differed.
+// Returns the first of these, or the number of all.
+std::size_t play(mimo::Recording& recording, mimo::Env& env) {
+  const std::size_t count = recording.info().steps;
+  const std::vector<std::uint64_t> kept = recording.read<std::uint64_t>("states/step");
+  const std::set<std::size_t> states(kept.begin(), kept.end());
+  mimo::Block no_senses;
+  mimo::Results results = env.make_results();
+  std::size_t first = count;
+  bool parted = false;
+  Progress progress(count);
+  for (std::size_t step = recording.seek(env, 0, 0); step < count; ++step) {
+    if (parted && states.count(step) > 0) recording.seek(env, step, 0);
+    recording.step(env, no_senses, results);
+    parted = recording.report().identical == 0;
+    if (parted) first = std::min(first, step);
+    progress.show(step + 1);
+  }
+  return first;
+}
+
+// Where this system's C library rounds otherwise than the page's in the recorded run. Warns where this cannot be known
+// for all of the run.
+std::string rounding_in(const std::string& file, mimo::Recording& recording) {
+  const RoundingNotes notes;
+  mimo::Env env = recording.env();
+  const mimo_recording_info info = recording.info();
+  std::string why;
+  try {
+    const std::size_t first = play(recording, env);
+    if (first < info.steps)
+      why = text("it comes out otherwise on this system from %g s on",
+                 info.step_seconds * static_cast<double>(first + 1));
+  } catch (const mimo::Exception& error) {  // another model, steps along a movement, a world that fails
+    why = error.what();
+  }
+  if (!why.empty()) {
+    std::fprintf(stderr, "mimo: warning: the page may not find all of %s the same: %s\n", file.c_str(), why.c_str());
+  }
+  return notes.rows();
 }
 
 std::string base64(const std::string& bytes) {
@@ -78,6 +123,10 @@ std::string escaped(const std::string& name) {
   return text;
 }
 
+std::string inside(const std::string& id, const std::string& attributes, const std::string& bytes) {
+  return "<script type=\"text/plain\" id=\"" + id + "\" " + attributes + ">" + base64(bytes) + "</script>";
+}
+
 }  // namespace
 
 void write_page(const PageOptions& options, const std::string& recording) {
@@ -88,7 +137,8 @@ void write_page(const PageOptions& options, const std::string& recording) {
   std::string page = read_file(from);
   const std::size_t place = page.find(kPlace);
   if (place == std::string::npos) throw Failure(from + " is not the page that ./dev web makes for recordings");
-  require_playable(recording);
+  mimo::Recording played(recording);
+  require_playable(recording, played);
   if (const std::uintmax_t size = fs::file_size(recording, missing); size > kMostBytes) {
     throw Failure(
         text("%s has %.0f MB, and a page takes at most %.0f: mimo replay with --from, --seconds and --out writes "
@@ -97,8 +147,8 @@ void write_page(const PageOptions& options, const std::string& recording) {
   }
   const std::string name = fs::path(recording).filename().string();
   page.replace(place, sizeof kPlace - 1,
-               "<script type=\"text/plain\" id=\"recording\" data-name=\"" + escaped(name) + "\">" +
-                   base64(read_file(recording)) + "</script>");
+               inside("recording", "data-name=\"" + escaped(name) + "\"", read_file(recording)) +
+                   inside("rounding", "", rounding_in(recording, played)));
   write_file(options.out, page);
 }
 

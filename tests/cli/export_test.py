@@ -3,12 +3,15 @@ installed (npm install gltf-validator; its folder node_modules in NODE_PATH).
 
 `mimo export --html`: the recording is taken out of the page again."""
 import base64
+import ctypes.util
+import decimal
 import html.parser
 import json
 import math
 import shutil
 import struct
 import subprocess
+import sys
 import unittest
 
 from program import COUNTS, Case, needs_hdf5, read_png
@@ -45,23 +48,37 @@ class Glb:
         return next(node for node in self.json["nodes"] if node["name"] == name and "mesh" not in node)
 
 
+def nearer_number(x, wrong):
+    """Whether a number beside `wrong` is nearer to the sine of x, by the series in 60 digits."""
+    with decimal.localcontext(decimal.Context(prec=60)):
+        x, total, term, n = decimal.Decimal(x), decimal.Decimal(0), decimal.Decimal(x), 1
+        while abs(term) > decimal.Decimal("1e-50"):
+            total, term, n = total + term, -term * x * x / ((n + 1) * (n + 2)), n + 2
+        off = abs(decimal.Decimal(wrong) - total)
+        return any(abs(decimal.Decimal(math.nextafter(wrong, end)) - total) < off for end in (-2, 2))
+
+
 class Page(html.parser.HTMLParser):
-    """The elements of a page, and what its script has."""
+    """The elements of a page, and what its scripts have, by their ids."""
 
     def __init__(self, text):
         super().__init__()
-        self.tags, self.script, self.text = [], {}, ""
+        self.tags, self.scripts, self.texts, self.last = [], {}, {}, None
         self.feed(text)
         self.close()
 
     def handle_starttag(self, tag, attrs):
         self.tags.append(tag)
-        if tag == "script":
-            self.script = dict(attrs)
+        self.last = dict(attrs).get("id") if tag == "script" else None
+        if self.last:
+            self.scripts[self.last] = dict(attrs)
 
     def handle_data(self, data):
-        if self.tags[-1] == "script":
-            self.text = self.text or data
+        if self.last:
+            self.texts.setdefault(self.last, data)
+
+    def inside(self, script):
+        return base64.b64decode(self.texts[script], validate=True)
 
 
 def cross(a, b):
@@ -188,10 +205,32 @@ class Export(Case):
         self.write("page.html", "<p>before</p><!-- recording --><p>behind</p>")
         self.mimo("export", "--html", "run.html", "--page", "page.html", 'a "b" & <c>.h5')
         page = Page((self.folder / "run.html").read_text())
-        self.assertEqual(page.tags, ["p", "script", "p"])
-        self.assertEqual(page.script["data-name"], 'a "b" & <c>.h5')
+        self.assertEqual(page.tags, ["p", "script", "script", "p"])
+        self.assertEqual(page.scripts["recording"]["data-name"], 'a "b" & <c>.h5')
         recording = (self.folder / 'a "b" & <c>.h5').read_bytes()
-        self.assertEqual(base64.b64decode(page.text, validate=True), recording)
+        self.assertEqual(page.inside("recording"), recording)
+
+    @needs_hdf5
+    def test_a_page_knows_how_the_c_library_rounds(self):
+        """Each row is what libm gives where another number is nearer; the page's own functions miss one in thousands."""
+        libm = ctypes.util.find_library("m")
+        if sys.platform != "linux" or libm is None:
+            self.skipTest("only on Linux a program sees what its libraries call")
+        functions = [getattr(ctypes.CDLL(libm), name) for name in
+                     ("exp", "log", "sin", "cos", "tan", "asin", "acos", "pow", "atan2")]
+        for function in functions:
+            function.restype = ctypes.c_double
+        self.mimo("record", "--scene", "standup", "--seconds", "1", "--out", "run.h5")
+        self.write("page.html", "<!-- recording -->")
+        self.assertEqual(self.mimo("export", "--html", "run.html", "--page", "page.html", "run.h5"), "")
+        rows = list(struct.iter_unpack("<Qddd", Page((self.folder / "run.html").read_text()).inside("rounding")))
+        self.assertGreater(len(rows), 10)  # of some ten thousand calls
+        for number, x, y, result in rows:
+            arguments = [ctypes.c_double(x), ctypes.c_double(y)][:2 if number >= 7 else 1]
+            self.assertEqual(functions[number](*arguments), result, (number, x, y))
+        of_sines = [nearer_number(x, result) for number, x, _, result in rows if number == 2]
+        self.assertGreater(len(of_sines), 0)
+        self.assertGreater(sum(of_sines), 0.9 * len(of_sines))
 
     @needs_hdf5
     def test_what_a_page_cannot_play_writes_nothing(self):
@@ -210,8 +249,9 @@ class Export(Case):
             self.assertIn(told, self.mimo("export", "--html", "run.html", *given, code=1))
         self.assertIn("the recording", self.mimo("export", "--html", "run.html", code=2))
         self.assertIn("ends in .html", self.mimo("export", "--html", "run.h5", "run.h5", code=2))
-        self.assertIn("--page has no effect with --gltf",
-                      self.mimo("export", "--gltf", "a.glb", "--page", "page.html", code=1))
+        for other in (["--gltf", "a.glb"], ["--fmu", "a.fmu"], []):
+            self.assertIn("--page is for --html, the page to be written: --html FILE.html run.h5 is missing",
+                          self.mimo("export", *other, "--page", "page.html", code=1))
         self.assertEqual(self.files(), there)
 
     def test_usd_is_the_python_package_s(self):

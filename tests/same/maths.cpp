@@ -1,6 +1,6 @@
 // The functions of the C library that MuJoCo calls in physics, by base/functions.h. Loaded before it (LD_PRELOAD), they
 // make a world's bytes the same on all processors, which shows that nothing else makes them differ.
-#include "base/functions.h"
+#include "base/substitutes.h"
 
 namespace fixed = mimo::fixed;
 
@@ -11,18 +11,8 @@ namespace fixed = mimo::fixed;
     return fixed::name(x, y);                                                                  \
   }
 
-MIMO_REPLACE(exp)
-MIMO_REPLACE(log)
-MIMO_REPLACE(sin)
-MIMO_REPLACE(cos)
-MIMO_REPLACE(tan)
-MIMO_REPLACE(acos)
-MIMO_REPLACE_2(pow)
-MIMO_REPLACE_2(atan2)
-
-extern "C" __attribute__((visibility("default"))) double asin(double x) noexcept {
-  return fixed::atan2(x, std::sqrt((1 - x) * (1 + x)));
-}
+MIMO_SUBSTITUTES_OF_1(MIMO_REPLACE)
+MIMO_SUBSTITUTES_OF_2(MIMO_REPLACE_2)
 
 extern "C" __attribute__((visibility("default"))) void sincos(double x, double* sine, double* cosine) noexcept {
   *sine = fixed::sin(x);

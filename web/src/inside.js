@@ -1,4 +1,5 @@
 /** What lies inside a page as text: bytes in base 64, some of them packed. */
+import { wasm, within } from "../../bindings/javascript/src/memory.js";
 
 /** The bytes that an element holds; afterwards it holds none. @param {HTMLElement} element */
 export function bytesIn(element) {
@@ -24,6 +25,15 @@ function unpackedIn(element, type) {
 
 /** @param {HTMLElement} element */
 export const moduleIn = (element) => unpackedIn(element, "application/wasm");
+
+/**
+ * Lets the module's sin, exp and the like round as the machine that recorded does (src/rounding/rounding.h).
+ * @param {HTMLElement} element
+ */
+export function roundAsIn(element) {
+  const rows = bytesIn(element);
+  within((frame) => wasm().mimo_round_as(frame.array("u8", "rounding", rows), rows.length / 32));
+}
 
 /** @param {HTMLElement} element */
 export const textIn = (element) => unpackedIn(element, "text/plain").text();

@@ -1,19 +1,18 @@
 /** The page: a world, the scene in 3-D, what the infant senses, and what visitors may change. */
 import * as mimo from "../../bindings/javascript/src/index.js";
 import { Babble, Policy, rest } from "./behaviour.js";
-import { everyPicture, openStage, Pace, page, say, trying } from "./page.js";
+import { openStage, page, Shown, start, trying } from "./page.js";
 import { Pull } from "./pull.js";
 import { Senses } from "./senses.js";
 
 const PIXELS = 64; // of an eye, across
 
-class Page {
-  running = true;
-  pace = new Pace();
+class Page extends Shown {
   episodes = 0;
   reached = 0;
 
   constructor(policy, stage) {
+    super();
     this.stage = stage;
     this.pull = stage && new Pull(stage);
     this.senses = new Senses(page);
@@ -123,11 +122,6 @@ class Page {
     });
   }
 
-  pause(paused) {
-    this.running = !paused;
-    page.run.textContent = paused ? "Run" : "Pause";
-  }
-
   advance() {
     const { world } = this;
     this.behaviour.act(world, this.action);
@@ -143,19 +137,11 @@ class Page {
     return true;
   }
 
-  /** Steps as far as time has gone on, and draws. */
   tick(now) {
     if (!this.shown) return;
-    if (this.running) {
-      this.pace.run(now, Number(page.speed.value), this.world.layout.stepSeconds, () => this.advance());
-    } else {
-      this.pace.rest(now);
-    }
-    this.stage?.touch();
-    this.stage?.draw();
-    this.senses.draw(now);
+    this.go(now, this.world);
     const success = this.episodes > 0 ? `, ${this.reached} of ${this.episodes} episodes succeeded` : "";
-    page.clock.textContent = `${this.world.time().toFixed(2)} s${this.running ? `, ${this.pace.rate.toFixed(1)}× real time` : ", paused"}${success}`;
+    page.clock.textContent = `${this.world.time().toFixed(2)} s${this.speed}${success}`;
   }
 
   #save() {
@@ -187,23 +173,11 @@ async function read(name) {
   return answer;
 }
 
-async function start() {
-  page.angles.open = innerWidth > 760; // long, on a phone
+start(async () => {
   if (location.protocol === "file:") {
-    return say("A browser lets no page read the module from a file: serve the folder, for example with python3 -m http.server, and open http://localhost:8000");
+    throw new Error("a browser lets no page read the module from a file: serve the folder, for example with python3 -m http.server, and open http://localhost:8000");
   }
-  try {
-    const stage = openStage();
-    const [policy] = await Promise.all([read("reach.json").then((answer) => answer.json()), mimo.load("mimo.wasm")]);
-    const shown = (globalThis.mimoPage = new Page(new Policy(policy), stage));
-    everyPicture(
-      (now) => shown.tick(now),
-      () => shown.pause(true),
-    );
-  } catch (error) {
-    page.clock.textContent = "";
-    say(error);
-  }
-}
-
-start();
+  const stage = openStage();
+  const [policy] = await Promise.all([read("reach.json").then((answer) => answer.json()), mimo.load("mimo.wasm")]);
+  return new Page(new Policy(policy), stage);
+});

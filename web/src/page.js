@@ -36,22 +36,60 @@ export function openStage() {
   }
 }
 
-/** Calls `tick` for each picture, and `fail` where it cannot go on. */
-export function everyPicture(tick, fail) {
-  const next = (now) => {
-    try {
-      tick(now);
-    } catch (error) {
-      fail();
-      say(error);
-    }
+/**
+ * Shows what `make` makes, picture by picture, and pauses where that cannot go on. What goes wrong is said.
+ * @param {() => Promise<Shown>} make
+ */
+export async function start(make) {
+  page.angles.open = innerWidth > 760; // long, on a phone
+  try {
+    const shown = (globalThis.mimoPage = await make());
+    const next = (now) => {
+      try {
+        shown.tick(now);
+      } catch (error) {
+        shown.pause(true);
+        say(error);
+      }
+      requestAnimationFrame(next);
+    };
     requestAnimationFrame(next);
-  };
-  requestAnimationFrame(next);
+  } catch (error) {
+    page.clock.textContent = "";
+    say(error);
+  }
+}
+
+/** What runs and rests: `advance` does a step, false where there is none. */
+export class Shown {
+  running = true;
+  pace = new Pace();
+
+  pause(paused) {
+    this.running = !paused;
+    page.run.textContent = paused ? "Run" : "Pause";
+  }
+
+  /** Steps a world as far as time has gone on, and draws. */
+  go(now, world) {
+    if (this.running) {
+      this.pace.run(now, Number(page.speed.value), world.layout.stepSeconds, () => this.advance());
+    } else {
+      this.pace.rest(now);
+    }
+    this.stage?.touch();
+    this.stage?.draw();
+    this.senses.draw(now);
+  }
+
+  /** How fast it runs, for the clock. */
+  get speed() {
+    return this.running ? `, ${this.pace.rate.toFixed(1)}× real time` : ", paused";
+  }
 }
 
 /** Lets as much simulated time go by as the clock says, as far as this machine keeps up. */
-export class Pace {
+class Pace {
   rate = 1; // of real time, lately
   #due = 0;
 

@@ -42,7 +42,7 @@ class Table {
 export class Player {
   next = 0; // step
   world = null;
-  byJoints = false; // the model is another one here: joints are set as recorded, and nothing is compared
+  byJoints = ""; // why joints are set as recorded, and nothing is compared
 
   /** @param {import("../../bindings/javascript/src/index.js").Recording} recording */
   constructor(recording) {
@@ -128,7 +128,7 @@ export class Player {
       this.next = this.recording.seek(this.world, step, how);
     } catch (error) {
       if (this.byJoints || !(error instanceof MimoError) || error.status !== Status.MISMATCH) throw error;
-      this.byJoints = true;
+      this.byJoints = error.message;
       this.next = this.recording.seek(this.world, step, Replay.JOINTS);
     }
     this.parted = false;
@@ -171,7 +171,7 @@ export class Player {
     const { all, count } = this;
     const done = all.same + all.different;
     if (this.byJoints) {
-      return "This browser's library makes another model of the scene, whose states do not fit: joints are where the file has them, and nothing can be compared.";
+      return `Joints are where the file has them, and nothing can be compared: ${this.byJoints}.`;
     }
     if (done === 0) return `Nothing is compared yet of ${count} steps.`;
     if (all.different === 0) {

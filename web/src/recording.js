@@ -1,21 +1,20 @@
 /** The page of mimo export --html: plays the recording inside it, compares, and lets the reader take over. */
 import { load, Recording } from "../../bindings/javascript/src/index.js";
 import { Babble, rest } from "./behaviour.js";
-import { everyPicture, openStage, Pace, page, say, trying } from "./page.js";
+import { openStage, page, Shown, start, trying } from "./page.js";
 import { Player } from "./player.js";
 import { Pull } from "./pull.js";
 import { Senses } from "./senses.js";
-import { bytesIn, moduleIn, textIn } from "./inside.js";
+import { bytesIn, moduleIn, roundAsIn, textIn } from "./inside.js";
 
 const PAUSE = 250; // ms between two reports of what was compared
 
-class RecordingPage {
-  running = true;
+class RecordingPage extends Shown {
   own = false; // the reader has taken over
-  pace = new Pace();
   told = 0; // ms, when the report was written
 
   constructor(player, stage, name) {
+    super();
     this.player = player;
     this.stage = stage;
     this.pull = stage && new Pull(stage, () => this.takeOver());
@@ -51,11 +50,6 @@ class RecordingPage {
     page.felt.hidden = !this.senses.skin;
     page.angles.hidden = !this.senses.joints;
     page.body.textContent = `${mass.toFixed(1)} kg, ${(100 * height).toFixed(0)} cm, ${world.layout.actions.length} motors. Recorded with ${info.build.replace(/,? build.*/, "")}, seed ${info.seed}, ${(info.steps * info.stepSeconds).toFixed(2)} s in ${info.steps} steps.`;
-  }
-
-  pause(paused) {
-    this.running = !paused;
-    page.run.textContent = paused ? "Run" : "Pause";
   }
 
   /** From here on the reader decides; the recording stays where it was left. */
@@ -126,23 +120,15 @@ class RecordingPage {
     if (page.licences.open) page.texts.textContent ||= await textIn(page.packed);
   }
 
-  /** Steps as far as time has gone on, and draws. */
   tick(now) {
     const { player } = this;
     if (this.running && !this.own && player.next === player.count && this.ended) this.goTo(0);
-    if (this.running) {
-      this.pace.run(now, Number(page.speed.value), player.world.layout.stepSeconds, () => this.advance());
-    } else {
-      this.pace.rest(now);
-    }
+    this.go(now, player.world);
     this.ended = !this.running && player.next === player.count;
-    this.stage?.touch();
-    this.stage?.draw();
-    this.senses.draw(now);
     page.at.value = player.next;
     const { stepSeconds } = player.info;
     const where = this.own ? `${player.world.time().toFixed(2)} s, yours` : `${(player.next * stepSeconds).toFixed(2)} of ${(player.count * stepSeconds).toFixed(2)} s`;
-    page.clock.textContent = where + (this.running ? `, ${this.pace.rate.toFixed(1)}× real time` : ", paused");
+    page.clock.textContent = where + this.speed;
     if (now - this.told > PAUSE || !this.running) this.#report(now);
   }
 
@@ -168,22 +154,12 @@ function rowOf(texts) {
   return row;
 }
 
-async function start() {
-  page.angles.open = innerWidth > 760; // long, on a phone
-  try {
-    const { recording } = page;
-    if (!recording) return say("This page has no recording yet: mimo export --html run.html run.h5 puts one into it");
-    const stage = openStage();
-    await load(moduleIn(page.module));
-    const shown = (globalThis.mimoPage = new RecordingPage(new Player(new Recording(bytesIn(recording), recording.dataset.name)), stage, recording.dataset.name));
-    everyPicture(
-      (now) => shown.tick(now),
-      () => shown.pause(true),
-    );
-  } catch (error) {
-    page.clock.textContent = "";
-    say(error);
-  }
-}
-
-start();
+start(async () => {
+  const { recording, rounding } = page;
+  if (!recording) throw new Error("this page has no recording yet: mimo export --html run.html run.h5 puts one into it");
+  const stage = openStage();
+  await load(moduleIn(page.module));
+  roundAsIn(rounding);
+  const { name } = recording.dataset;
+  return new RecordingPage(new Player(new Recording(bytesIn(recording), name)), stage, name);
+});

@@ -7,6 +7,8 @@
 #include <limits>
 #include <tuple>
 
+#include "base/substitutes.h"
+
 namespace mimo {
 namespace {
 
@@ -86,6 +88,11 @@ TEST(Functions, AreTheNearestNumbers) {
       {fixed::acos, 0.9999999, 0x1.d4effc851e7f2p-12},
       {fixed::acos, -1.0, 0x1.921fb54442d18p+1},
       {fixed::acos, 1e-20, 0x1.921fb54442d18p+0},
+      {fixed::asin, 0.3, 0x1.380159e14f6ffp-2},
+      {fixed::asin, -0.8, -0x1.dac670561bb50p-1},
+      {fixed::asin, 0.9999999, 0x1.920266447a7fap+0},
+      {fixed::asin, 1e-05, 0x1.4f8b588e4e940p-17},
+      {fixed::asin, 0.5000001, 0x1.0c152762b88dfp-1},
       {fixed::atan, 0.3, 0x1.2a73a661eaf06p-2},
       {fixed::atan, -0.8, -0x1.5977a5103ea93p-1},
       {fixed::atan, 0.0001, 0x1.a36e2e9a4f662p-14},
@@ -134,6 +141,9 @@ TEST(Functions, AreDefinedAtTheirEnds) {
   EXPECT_TRUE(std::isnan(fixed::sin(kInfinity)));
   EXPECT_TRUE(std::isnan(fixed::cos(-kInfinity)));
   EXPECT_TRUE(std::isnan(fixed::acos(1.5)));
+  EXPECT_TRUE(std::isnan(fixed::asin(-1.5)));
+  EXPECT_EQ(fixed::asin(-1), fixed::atan2(-1, 0));
+  EXPECT_TRUE(std::signbit(fixed::asin(-0.0)));
   EXPECT_TRUE(std::signbit(fixed::sin(-0.0)));
   EXPECT_EQ(fixed::cbrt(0), 0);
   EXPECT_EQ(fixed::pow(0, -1), kInfinity);
