@@ -9,8 +9,8 @@ from pathlib import Path
 FILE = Path(__file__).resolve().with_name("interface.json")
 # Structs of plain values that the library fills: each language has a class or struct for them.
 FILLED = (
-    *("mimo_action", "mimo_appearance", "mimo_layout_info", "mimo_light", "mimo_parameter", "mimo_recording_info"),
-    *("mimo_replay_report", "mimo_term", "mimo_timing"),
+    *("mimo_action", "mimo_appearance", "mimo_behaviour", "mimo_layout_info", "mimo_light", "mimo_parameter"),
+    *("mimo_recording_info", "mimo_replay_report", "mimo_term", "mimo_timing"),
 )
 
 

@@ -159,6 +159,16 @@ static void parameters(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   }
 }
 
+/* struct = behaviour(scene) */
+static void behaviour(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  mimo_behaviour told = {0};
+  (void)nout;
+  mimo_need(nin == 1, "expected a scene");
+  told.struct_size = sizeof told;
+  mimo_check(mimo_scene_behaviour(mimo_scene_of(in[0]), &told));
+  out[0] = mimo_struct(&told, mimo_behaviour_members);
+}
+
 /* struct = maturity(age) */
 static void maturity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   mimo_maturity at;
@@ -168,8 +178,14 @@ static void maturity(int nout, mxArray* out[], int nin, const mxArray* in[]) {
   out[0] = mimo_struct(&at, mimo_maturity_options);
 }
 
-const mimo_command mimo_report_commands[] = {{"info", info},         {"timing", timing},
-                                             {"failures", failures}, {"messages", messages},
-                                             {"version", version},   {"supports", supports},
-                                             {"known", known},       {"parameters", parameters},
-                                             {"maturity", maturity}, {NULL, NULL}};
+const mimo_command mimo_report_commands[] = {{"info", info},
+                                             {"timing", timing},
+                                             {"failures", failures},
+                                             {"messages", messages},
+                                             {"version", version},
+                                             {"supports", supports},
+                                             {"known", known},
+                                             {"parameters", parameters},
+                                             {"maturity", maturity},
+                                             {"behaviour", behaviour},
+                                             {NULL, NULL}};

@@ -166,6 +166,17 @@ static const word act_words[] = {
 };
 const enumeration mimo_act_words = {1, act_words};
 
+static const word movement_words[] = {
+    {"general", MIMO_MOVEMENT_GENERAL},
+    {"fidgets", MIMO_MOVEMENT_FIDGETS},
+    {"kicks", MIMO_MOVEMENT_KICKS},
+    {"startles", MIMO_MOVEMENT_STARTLES},
+    {"twitches", MIMO_MOVEMENT_TWITCHES},
+    {"all", MIMO_MOVEMENT_ALL},
+    {NULL, 0},
+};
+const enumeration mimo_movement_words = {1, movement_words};
+
 static const word reflex_words[] = {
     {"palmar_grasp", MIMO_REFLEX_PALMAR_GRASP},
     {"plantar_grasp", MIMO_REFLEX_PLANTAR_GRASP},
@@ -709,6 +720,23 @@ const member mimo_appearance_members[] = {
     {"specular", kFloats, 1, offsetof(mimo_appearance, specular), NULL},
     {"shininess", kFloats, 1, offsetof(mimo_appearance, shininess), NULL},
     {"reflectance", kFloats, 1, offsetof(mimo_appearance, reflectance), NULL},
+    {NULL, kText, 0, 0, NULL},
+};
+
+const member mimo_behaviour_members[] = {
+    {"at_most", kSwitch, 1, offsetof(mimo_behaviour, at_most), NULL},
+    {"about", kText, 1, offsetof(mimo_behaviour, about), NULL},
+    {"measure", kText, 1, offsetof(mimo_behaviour, measure), NULL},
+    {"unit", kText, 1, offsetof(mimo_behaviour, unit), NULL},
+    {"conditions", kText, 1, offsetof(mimo_behaviour, conditions), NULL},
+    {"threshold", kNumbers, 1, offsetof(mimo_behaviour, threshold), NULL},
+    {"hold_seconds", kNumbers, 1, offsetof(mimo_behaviour, hold_seconds), NULL},
+    {"episode_seconds", kNumbers, 1, offsetof(mimo_behaviour, episode_seconds), NULL},
+    {"norm_early", kNumbers, 1, offsetof(mimo_behaviour, norm_early), NULL},
+    {"norm_age", kNumbers, 1, offsetof(mimo_behaviour, norm_age), NULL},
+    {"norm_late", kNumbers, 1, offsetof(mimo_behaviour, norm_late), NULL},
+    {"norm", kText, 1, offsetof(mimo_behaviour, norm), NULL},
+    {"norm_source", kText, 1, offsetof(mimo_behaviour, norm_source), NULL},
     {NULL, kText, 0, 0, NULL},
 };
 

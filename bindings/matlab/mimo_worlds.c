@@ -275,7 +275,21 @@ static void random_numbers(int nout, mxArray* out[], int nin, const mxArray* in[
   }
 }
 
+/* actions = spontaneous(number, which): actions x worlds */
+static void spontaneous(int nout, mxArray* out[], int nin, const mxArray* in[]) {
+  worlds* all;
+  double which;
+  (void)nout;
+  mimo_need(nin == 2, "expected a world and kinds of movements");
+  all = mimo_worlds_of(in[0]);
+  which = mimo_whole(in[1], "which", 0, 4294967295.0);
+  out[0] = mxCreateNumericMatrix(all->sizes.actions, all->count, mxSINGLE_CLASS, mxREAL);
+  mimo_check(
+      mimo_batch_spontaneous(all->batch, (uint32_t)which, (float*)mxGetData(out[0]), all->sizes.actions * all->count));
+}
+
 const mimo_command mimo_world_commands[] = {
     {"create", create},   {"close", close_number},    {"reset", reset},     {"step", step},
     {"send", send},       {"receive", receive},       {"observe", observe}, {"follow", follow},
-    {"physics", physics}, {"random", random_numbers}, {"play", play},       {NULL, NULL}};
+    {"physics", physics}, {"random", random_numbers}, {"play", play},       {"spontaneous", spontaneous},
+    {NULL, NULL}};

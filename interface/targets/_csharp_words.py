@@ -24,7 +24,7 @@ ADDED = {"Quantity": ["MIMO_NOW"]}
 
 # Names that an engine has already: with one of ours of the same name, a script that uses both namespaces does not
 # compile. They get "Mimo" before them, as in MimoScene; the test NamesDoNotClashWithEngines has all of them.
-TAKEN = {"Action", "Light", "Mesh", "Scene", "Task", "Texture", "Touch"}
+TAKEN = {"Action", "Behaviour", "Light", "Mesh", "Scene", "Task", "Texture", "Touch"}
 
 # Functions whose method in C# has another name, or is a constructor or a list.
 METHODS = {

@@ -21,8 +21,8 @@ from targets._javascript_words import (
 # What the classes of src/*.js do by hand: they own memory, keep arrays, or give functions of JavaScript away.
 BY_HAND = (
     r"mimo_[a-z]+_(create|make|destroy|clone|layout|reset|step|send|receive|observe|state_\w+|render|mesh)"
-    r"|mimo_env_(get|get_float|set|width|poses|texture|project|look_angles|follow|random)"
-    r"|mimo_batch_(get|get_float|set|world|world_error|size)"
+    r"|mimo_env_(get|get_float|set|width|poses|texture|project|look_angles|follow|random|spontaneous)"
+    r"|mimo_batch_(get|get_float|set|world|world_error|size|spontaneous)"
     r"|mimo_(recorder|recording)_.*"
     r"|mimo_scene_(name|xml|set_task|add_field|set_maturity|default_agent|add_agents?)|mimo_layout_.*"
     r"|mimo_stage_(update|draw)"

@@ -20,6 +20,7 @@ constexpr std::uint32_t kVision = 0x7;
 constexpr std::uint32_t kVestibular = 0x1f;
 constexpr std::uint32_t kHearing = 0x3;
 constexpr std::uint32_t kAct = 0x7ff;
+constexpr std::uint32_t kMovement = 0x1f;
 constexpr std::uint32_t kReflex = 0x4000007f;
 constexpr std::uint32_t kTouch = 0x7fff;
 constexpr std::uint32_t kDisable = 0x7;

@@ -12,6 +12,16 @@ constexpr const char* kPlaces = "mimo:place";          // numbers: where they ar
 constexpr const char* kInfant = "mimo:infant";         // text: the file of its recipe for an infant
 constexpr const char* kMainClass = "mimo:main";        // class: main defaults, where something stands beside them
 
+// Said by a room whose task is "behaviour". docs/guide/behaviours.md explains them.
+constexpr const char* kReached = "mimo:reached";          // text: what is measured, and what it has to reach
+constexpr const char* kBehaviour = "mimo:behaviour";      // text: what the infant does, in words
+constexpr const char* kSeconds = "mimo:episode_seconds";  // number: after which an episode is cut off
+constexpr const char* kPhases = "mimo:phases";            // numbers: how long each phase of an episode lasts, seconds
+constexpr const char* kStillJoint = "mimo:still_joint";   // text: a joint that is held in the first, third, ... phase
+constexpr const char* kNorm = "mimo:norm";                // numbers: months, early, middle and late; 0: not known
+constexpr const char* kNormAbout = "mimo:norm_about";     // text: which statistics these are
+constexpr const char* kNormSource = "mimo:norm_source";   // text: who published them
+
 // Said by a recipe.
 constexpr const char* kActs = "mimo:acts";             // text: groups of motors that act
 constexpr const char* kStill = "mimo:still";           // text: how the names of motors begin that do not
@@ -27,8 +37,9 @@ constexpr const char* kWithArm =
     "mimo:with_arm";  // text: pairs of a body and the infant's from which it is an arm away
 
 // A stored pose.
-constexpr const char* kRootPose = "mimo:root";  // numbers: position and orientation of an infant's root
-constexpr const char* kPose = "mimo:pose";      // tuple: hinges and slides, and where they are
+constexpr const char* kPoseSlack = "mimo:pose_slack";  // number: by how much a joint may have to miss it at an age, rad
+constexpr const char* kRootPose = "mimo:root";         // numbers: position and orientation of an infant's root
+constexpr const char* kPose = "mimo:pose";             // tuple: hinges and slides, and where they are
 
 // Of an infant that is not the one of 18 months, said by the library itself.
 constexpr const char* kGrowth = "mimo:growth";  // numbers: age in months; stature, and length of its arms, as factors

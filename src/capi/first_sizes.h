@@ -56,3 +56,4 @@ MIMO_FIRST_SIZE(mimo_sense_moment, 104);
 MIMO_FIRST_SIZE(mimo_sense_needs, 24);
 MIMO_FIRST_SIZE(mimo_sense, 104);
 MIMO_FIRST_SIZE(mimo_sense_field, 112);
+MIMO_FIRST_SIZE(mimo_behaviour, 104);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/format.h"
 #include "capi/check.h"
 #include "capi/configs.h"
 #include "capi/objects.h"

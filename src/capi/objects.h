@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "base/fail.h"
@@ -27,6 +28,7 @@ class RunningSense;
 
 struct SceneObject {
   blueprint::Blueprint blueprint;
+  std::vector<std::string> told{};  // texts that mimo_scene_behaviour gave last
 };
 
 struct LayoutObject {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "cli/behaviours.h"
 #include "cli/commands.h"
 #include "programs/summary.h"
 #include "programs/text.h"
@@ -159,6 +160,7 @@ void add_info(CLI::App& program) {
   struct InfoOptions {
     WorldOptions world;
     bool json = false;
+    bool tasks = false;
   };
   auto options = std::make_shared<InfoOptions>();
   options->world.touch = "";  // the scene's own
@@ -172,7 +174,10 @@ void add_info(CLI::App& program) {
   add_own_senses_option(*command, options->world);
   add_parameter_option(*command, options->world);
   add_voice_option(*command, options->world);
-  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--tasks", options->tasks,
+                    "List tasks: what is measured, what it has to reach, when infants\nshow it; with --scene of that "
+                    "scene only");
   command->footer(
       "The world is the one that mimo_env_make(scene) and mimo.make(scene) give, but for what options change.\n"
       "Counts are MuJoCo's: the world is a body, too. nq, nv, nu: numbers of joint positions, joint velocities and\n"
@@ -180,8 +185,10 @@ void add_info(CLI::App& program) {
       "end of a step: 0 is that end, -5 the start of its last physics step, more where senses are late.\n"
       "Examples:\n"
       "  mimo info\n"
-      "  mimo info --scene my_room.xml --json");
-  command->callback([options] {
+      "  mimo info --scene my_room.xml --json\n"
+      "  mimo info --tasks");
+  command->callback([options, command] {
+    if (options->tasks) return print_behaviours(options->world, command->count("--scene") > 0, options->json);
     const mimo::Env env = open_own_world(options->world, make_env_config());
     const Json info = describe(env);
     if (options->json) {

@@ -72,12 +72,16 @@ std::string list_in_help(const std::vector<std::string>& names) {
   return text;
 }
 
+}  // namespace
+
 mimo::Scene load_scene(const WorldOptions& options) {
   auto config = mimo::scene_config();
   (is_file(options.scene) ? config.file : config.name) = options.scene.c_str();
   config.log = print_message;
   return mimo::Scene(config);
 }
+
+namespace {
 
 // Only the compiled model knows: the body may come from an include.
 mimo::Env bare_file(const WorldOptions& options) {

@@ -89,6 +89,9 @@ enum class Senses { kAll, kAllButVision, kNone, kOwn };  // kOwn: the scene's de
 // The config of an infant that senses as the options say.
 mimo_agent_config sensing_agent(const WorldOptions& options);
 
+// The scene as its document has it.
+mimo::Scene load_scene(const WorldOptions& options);
+
 // The scene with its infants; with one agent where there are none.
 mimo::Scene make_scene(const WorldOptions& options, Senses senses);
 

@@ -1,11 +1,14 @@
 #include "scene/growing.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
 #include "base/fail.h"
 #include "base/names.h"
+#include "base/numbers.h"
 #include "document/names.h"
 #include "document/xml.h"
 #include "growth/growth.h"
@@ -84,15 +87,30 @@ growth::Angles starting_angles(pugi::xml_node root, const Skeleton& skeleton, co
 
 double within(const growth::Joint& joint, double angle) { return std::clamp(angle, joint.range[0], joint.range[1]); }
 
+// By how much a joint may have to miss its stored pose at an age; infinitely where the recipe does not care.
+double pose_slack(pugi::xml_node root, const std::string& prefix) {
+  const std::vector<double> slack =
+      document::numbers(custom(root, "numeric", prefix + names::kPoseSlack).attribute("data"));
+  return slack.size() == 1 ? slack[0] : std::numeric_limits<double>::infinity();
+}
+
 // Stored poses and locks bend no joint further than it goes at that age.
-void clamp_poses(pugi::xml_node root, const Skeleton& skeleton, const std::string& prefix) {
+void clamp_poses(pugi::xml_node root, const Skeleton& skeleton, const std::string& prefix, double age) {
   const auto joints = joints_of(skeleton, prefix);
+  const double slack = pose_slack(root, prefix);
   const auto clamp = [&](pugi::xml_node node, const char* names_joint, const char* holds_angle) {
     const auto joint = joints.find(node.attribute(names_joint).value());
     std::vector<double> values = document::numbers(node.attribute(holds_angle));
     if (joint == joints.end() || values.empty()) return;
     const double angle = within(*joint->second, values[0]);
     if (angle == values[0]) return;
+    if (std::abs(values[0] - angle) > slack) {
+      fail(Status::kUnsupported,
+           "age is {} months, at which the scene's pose is impossible: {} is to start at {:.0f} degrees, and goes from "
+           "{:.0f} to {:.0f}",
+           age, joint->first, values[0] / kDegree, joint->second->range[0] / kDegree,
+           joint->second->range[1] / kDegree);
+    }
     values[0] = angle;
     document::set(node, holds_angle, Span<const double>(values));
   };
@@ -206,7 +224,10 @@ void tell(pugi::xml_node root, const std::string& prefix, const Skeleton& born, 
 void fit_to_stature(pugi::xml_node root, const std::string& prefix, double stature) {
   const std::vector<std::string> built = custom_words(root, prefix + names::kWithStature);
   if (built.empty()) return;
-  for (const std::string& name : built) scale_all(document::find_named(root, "body", prefix + name), stature);
+  for (const std::string& name : built) {
+    scale_all(document::find_named(root, "body", prefix + name), stature);
+    scale(document::find_named(root, "spatial", prefix + name), "range", stature, 2);
+  }
   scale_fastenings(root, prefix, stature);
   scale(document::find_named(root, "body", prefix + names::kRootBody), "pos", stature, 2);
   scale(document::find_named(root, "numeric", prefix + names::kRootPose), "data", stature, 2);
@@ -231,7 +252,7 @@ void grow(pugi::xml_node root, const std::string& prefix, const growth::Growth& 
   const Start was = start_of(root, prefix, born);
   if (!anatomy.write(grown)) return;
   const Factors factors{growth::stature(grown) / growth::stature(born), arm_length(grown) / arm_length(born)};
-  clamp_poses(root, grown, prefix);
+  clamp_poses(root, grown, prefix, growth.age);
   fit_to_stature(root, prefix, factors.stature);
   keep_lowest(root, prefix, was, start_of(root, prefix, grown));
   const Start is = start_of(root, prefix, grown);

@@ -53,7 +53,9 @@ bool is_about_missing(pugi::xml_node element, const std::set<std::string>& parts
          missing("joint", "joint2") || missing(objects, "objname");
 }
 
-void drop_missing(pugi::xml_node own, const std::set<std::string>& parts) {
+// Of what is neither in the scene nor in the recipe itself.
+void drop_missing(pugi::xml_node own, std::set<std::string> parts) {
+  parts.merge(parts_of(own));
   for (const char* name : {"equality", "custom"}) {
     for (const pugi::xml_node section : own.children(name)) {
       std::vector<pugi::xml_node> missing;

@@ -25,9 +25,13 @@
 namespace mimo::scene {
 namespace {
 
-constexpr const char* kScenes[] = {"benchmark", "free",           "reach",          "standup",
-                                   "selfbody",  "catch",          "rollover",       "showroom",
-                                   "playdate",  "babybench-base", "babybench-crib", "babybench-cubes"};
+constexpr const char* kScenes[] = {"benchmark", "free", "reach", "standup", "selfbody", "catch", "rollover", "showroom",
+                                   "playdate", "babybench-base", "babybench-crib", "babybench-cubes",
+                                   // Behaviours.
+                                   "head-lift", "chest-lift", "roll-to-belly", "roll-to-back", "sit-with-hands", "sit",
+                                   "sit-up", "hands-and-knees", "crawl", "pull-to-stand", "stand-with-support", "stand",
+                                   "cruise", "walk-with-help", "walk", "hand-to-mouth", "hands-together", "foot-grasp",
+                                   "reach-moving", "lift", "bang", "drop", "follow", "prefer", "mobile"};
 constexpr const char* kRooms[] = {"playroom"};
 constexpr const char* kMirrored = "-mirrored";  // after the name of a body
 constexpr const char* kBodies[] = {"mitten", "fingers", "mitten-mirrored", "fingers-mirrored"};
@@ -311,6 +315,14 @@ void Scene::grow(const std::string& prefix, const growth::Growth& growth) {
 }
 
 std::vector<std::string> Scene::infants() const { return custom_words(document_->document_element(), names::kInfants); }
+
+std::string Scene::custom_text(const std::string& name) const {
+  return scene::custom_text(document_->document_element(), name);
+}
+
+std::vector<double> Scene::custom_numbers(const std::string& name) const {
+  return numbers_of(document_->document_element(), name.c_str());
+}
 
 UsualInfant Scene::usual_infant() const {
   const Recipe recipe = Recipe::of_room(document_->document_element(), models_);

@@ -92,6 +92,9 @@ class Scene {
   std::vector<std::string> infants() const;
   // The built-in scene that it started from; empty for others.
   const std::string& built_in() const { return built_in_; }
+  // What the <custom> section of its document says; "" and no numbers where it says nothing.
+  std::string custom_text(const std::string& name) const;
+  std::vector<double> custom_numbers(const std::string& name) const;
   // The defaults of its next infant.
   UsualInfant usual_infant() const;
   // The room's place for it; the origin in a room that names none, near which it is put. Nothing where all places are

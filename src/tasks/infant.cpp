@@ -10,11 +10,6 @@
 namespace mimo::tasks {
 namespace {
 
-bool presses(const engine::Physics& physics, int contact) {
-  const auto force = engine::contact_force(physics.model(), physics.data(), contact);
-  return std::any_of(force.begin(), force.begin() + 3, [](double component) { return component != 0; });
-}
-
 constexpr std::array<const char*, 9> kJoints = {"head_swivel",          "head_tilt",          "head_tilt_side",
                                                 "left_eye_horizontal",  "left_eye_vertical",  "left_eye_torsional",
                                                 "right_eye_horizontal", "right_eye_vertical", "right_eye_torsional"};
@@ -42,12 +37,20 @@ int target_of(const mjModel& model, const body::Body& body, const char* task, co
   return id;
 }
 
+bool presses(const mjModel& model, const mjData& data, int contact) {
+  const auto force = engine::contact_force(model, data, contact);
+  return std::any_of(force.begin(), force.begin() + 3, [](double component) { return component != 0; });
+}
+
 bool touches(const engine::Physics& physics, const std::vector<int>& bodies, int other) {
   for (const engine::Meeting& met : engine::Contacts(physics.model(), physics.data())) {
     const auto [first, second] = met.bodies;
     if (first != other && second != other) continue;
     const int toucher = first == other ? second : first;
-    if (std::find(bodies.begin(), bodies.end(), toucher) != bodies.end() && presses(physics, met.number)) return true;
+    if (std::find(bodies.begin(), bodies.end(), toucher) != bodies.end() &&
+        presses(physics.model(), physics.data(), met.number)) {
+      return true;
+    }
   }
   return false;
 }
@@ -55,7 +58,7 @@ bool touches(const engine::Physics& physics, const std::vector<int>& bodies, int
 bool feels(const engine::Physics& physics, int body) {
   for (const engine::Meeting& met : engine::Contacts(physics.model(), physics.data())) {
     const bool its = met.bodies[0] == body || met.bodies[1] == body;
-    if (its && presses(physics, met.number)) return true;
+    if (its && presses(physics.model(), physics.data(), met.number)) return true;
   }
   return false;
 }

@@ -34,6 +34,9 @@ int target_of(const mjModel& model, const body::Body& body, const char* task, co
 
 // Who touches whom, by the contacts that the last physics step found.
 
+// Whether a contact presses, however weakly: its force is not 0.
+bool presses(const mjModel& model, const mjData& data, int contact);
+
 // Whether any of the bodies touches the other one.
 bool touches(const engine::Physics& physics, const std::vector<int>& bodies, int other);
 

@@ -25,8 +25,8 @@ constexpr Definition kNone = {
     "none", {}, [](const mjModel&, const body::Body&, const Settings&) -> std::unique_ptr<Task> {
       return std::make_unique<None>();
     }};
-constexpr const Definition* kDefinitions[] = {&kNone,  &kReach,    &kStandup,   &kSelfbody,
-                                              &kCatch, &kRollover, &kSelftouch, &kHandregard};
+constexpr const Definition* kDefinitions[] = {&kNone,     &kReach,     &kStandup,    &kSelfbody, &kCatch,
+                                              &kRollover, &kSelftouch, &kHandregard, &kBehaviour};
 
 }  // namespace
 

@@ -138,7 +138,7 @@ struct Definition {
   std::unique_ptr<Task> (*make)(const mjModel& model, const body::Body& body, const Settings& settings);
 };
 
-// All there are: none, reach, standup, selfbody, catch, rollover, selftouch, handregard.
+// All there are: none, reach, standup, selfbody, catch, rollover, selftouch, handregard, behaviour.
 Span<const Definition* const> definitions();
 
 // Throws Status::kNotFound for a name that is none; "" is none.
@@ -147,5 +147,6 @@ const Definition& definition(const std::string& name);
 // Each in the file of its name.
 extern const Definition kReach, kStandup, kSelfbody, kCatch, kRollover;
 extern const Definition kSelftouch, kHandregard;  // as in BabyBench
+extern const Definition kBehaviour;               // what the scene's document describes
 
 }  // namespace mimo::tasks

@@ -1,4 +1,5 @@
 // mimo.hpp: handles, blocks, states and batches do what the C functions below them do.
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -6,6 +7,7 @@
 #include <new>
 #include <string>
 #include <typeinfo>
+#include <vector>
 
 #include "support/capi.h"
 
@@ -30,10 +32,14 @@ std::atomic<std::size_t> allocations{0};
 
 namespace {
 
-mimo::Scene make_scene() {
+mimo::Scene room_named(const char* name) {
   mimo_scene_config room = mimo::scene_config();
-  room.name = "reach";
-  mimo::Scene scene(room);
+  room.name = name;
+  return mimo::Scene(room);
+}
+
+mimo::Scene make_scene() {
+  mimo::Scene scene = room_named("reach");
   scene.add_agent(scene.default_agent());
   return scene;
 }
@@ -174,6 +180,29 @@ void check_batch() {
   CHECK(batch.env(2).face() == "fear");
 }
 
+// WHO's window of sitting without support; the same episode has the same movements.
+void check_behaviours() {
+  mimo::Scene sit = room_named("sit");
+  const mimo_behaviour behaviour = sit.behaviour();
+  CHECK(std::string(behaviour.measure) == "tilt upper_body z" && behaviour.norm_early == 3.8);
+  try {
+    make_scene().behaviour();
+    CHECK(false);
+  } catch (const mimo::Exception& error) {
+    CHECK(error.status() == MIMO_E_NOT_FOUND);
+  }
+  mimo::Scene scene = room_named("rollover");
+  scene.add_agents();
+  mimo::Batch batch(scene, 2);
+  mimo::Block blocks = batch.make_blocks();
+  batch.reset({1, 2}, blocks);
+  std::vector<float> all(2 * batch.layout().actions().size()), one(batch.layout().actions().size());
+  batch.spontaneous(all);
+  batch.env(1).spontaneous(one);
+  CHECK(std::equal(one.begin(), one.end(), all.begin() + static_cast<std::ptrdiff_t>(one.size())));
+  CHECK(std::any_of(one.begin(), one.end(), [](float action) { return action != 0; }));
+}
+
 // Parts of a program that were compiled with headers of different minor versions do not share classes.
 void check_version_in_names() {
   const std::string version = "v" + std::to_string(MIMO_API_MAJOR) + "_" + std::to_string(MIMO_API_MINOR);
@@ -189,5 +218,6 @@ int main() {
   check_steps_that_allocate_nothing();
   check_states();
   check_batch();
+  check_behaviours();
   return failures();
 }

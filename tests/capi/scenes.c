@@ -37,7 +37,9 @@ static void check_names_files_and_texts(void) {
   CHECK_TEXT("babybench-base", mimo_scene_name(9));
   CHECK_TEXT("babybench-crib", mimo_scene_name(10));
   CHECK_TEXT("babybench-cubes", mimo_scene_name(11));
-  CHECK(mimo_scene_name(12) == NULL);
+  CHECK_TEXT("head-lift", mimo_scene_name(12));
+  CHECK_TEXT("mobile", mimo_scene_name(36));
+  CHECK(mimo_scene_name(37) == NULL);
   CHECK(mimo_scene_name((size_t)-1) == NULL);
   scene = create("benchmark", NULL, NULL);
   CHECK(bodies_of(scene) == 3);

@@ -48,7 +48,8 @@ static void check_parameters_of_tasks(void) {
   CHECK_TEXT("rollover", mimo_task_name(5));
   CHECK_TEXT("selftouch", mimo_task_name(6));
   CHECK_TEXT("handregard", mimo_task_name(7));
-  CHECK(mimo_task_name(8) == NULL);
+  CHECK_TEXT("behaviour", mimo_task_name(8));
+  CHECK(mimo_task_name(9) == NULL);
 }
 
 static void check_episode(const char* scene, const char* name, int limit, int frame_skip, int actions) {

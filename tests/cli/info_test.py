@@ -22,6 +22,29 @@ class Info(Case):
         self.assertIn("NAME=VALUE", self.mimo("info", "--set", "touch=0.5", code=2))
         self.assertIn("0.01 to 100", self.mimo("info", "--set", "strength=1000", code=1))
 
+    def test_tasks_with_what_they_measure(self):
+        """WHO's windows of achievement: Acta Paediatr Suppl 2006, 450:86-95, abstract."""
+        listed = json.loads(self.mimo("info", "--tasks", "--json"))
+        self.assertIn("reach", [one["task"] for one in listed if one["measure"] is None])
+        scenes = {one["scene"]: one for one in listed if one["measure"] is not None}
+        self.assertGreaterEqual(len(scenes), 20)
+        windows = {"sit": (3.8, 9.2), "stand-with-support": (4.8, 11.4), "crawl": (5.2, 13.5),
+                   "walk-with-help": (5.9, 13.7), "stand": (6.9, 16.9), "walk": (8.2, 17.6)}
+        for name, (first, last) in windows.items():
+            self.assertEqual((scenes[name]["norm"]["early_months"], scenes[name]["norm"]["late_months"]), (first, last))
+            self.assertIn("WHO", scenes[name]["source"])
+        for name, one in scenes.items():
+            self.assertEqual(one["task"], "behaviour", name)
+            self.assertTrue(one["about"] and one["source"], name)
+            self.assertIn(one["unit"], ("m", "deg", "times", ""), name)
+            if one["source"].startswith("not found"):
+                self.assertIsNone(one["norm"]["months"], name)
+        self.assertEqual((scenes["sit"]["hold_seconds"], scenes["stand"]["hold_seconds"]), (10, 10))
+        self.assertRegex(self.mimo("info", "--tasks"), r"sit +sits without support +tilt upper_body z +at most 45 deg for 10 s")
+        one = json.loads(self.mimo("info", "--tasks", "--json", "--scene", "walk"))
+        self.assertEqual([it["scene"] for it in one], ["walk"])
+        self.assertIn("describes no behaviour", self.mimo("info", "--tasks", "--scene", "reach", code=1))
+
     def test_eyes_and_nerves_of_an_age(self):
         """Facts of the eyes by their table; delays grow with the distance from the head and shrink with age."""
         newborn, year = (self.info("--scene", "free", "--age", age) for age in ("0", "12"))

@@ -153,7 +153,8 @@ static void bad_handles(const row* r, size_t at, void* retired, void* other, voi
 static void check_handles(const row* r) {
   const args a = good_args(0);
   if (r->uses & (ON_SCENE | ON_CART)) bad_handles(r, offsetof(args, scene), retired_scene(), a.env, a.batch);
-  if (r->uses & (ON_ROOM | ON_EMPTY)) bad_handles(r, offsetof(args, room), retired_scene(), a.env, a.batch);
+  if (r->uses & (ON_ROOM | ON_EMPTY | ON_BEHAVIOUR))
+    bad_handles(r, offsetof(args, room), retired_scene(), a.env, a.batch);
   if (r->uses & ON_ENV) bad_handles(r, offsetof(args, env), retired_env(), a.batch, retired_scene());
   if (r->uses & ON_BATCH) bad_handles(r, offsetof(args, batch), retired_batch(), a.env, retired_scene());
   if (r->uses & ON_SENSES) bad_handles(r, offsetof(args, senses), retired_senses(), a.env, retired_scene());

@@ -59,8 +59,8 @@ static void in_the_child(const args* parents) {
   for (i = 0; i < row_count; ++i) {
     const row* r = &all_rows[i];
     args a = good_args(0);
-    if (!(r->uses & (ON_SCENE | ON_ROOM | ON_EMPTY | ON_CART | ON_ENV | ON_BATCH | ON_SENSES | ON_LAYOUT | ON_RECORDER |
-                     ON_RECORDING)))
+    if (!(r->uses & (ON_SCENE | ON_ROOM | ON_EMPTY | ON_BEHAVIOUR | ON_CART | ON_ENV | ON_BATCH | ON_SENSES |
+                     ON_LAYOUT | ON_RECORDER | ON_RECORDING)))
       continue;
     a.scene = parents->scene;
     a.room = parents->room;

@@ -43,6 +43,9 @@ ROW(mimo_batch_receive, ON_BATCH | SIMULATES | ANYTIME, send_and_receive(a), DO(
 ROW(mimo_batch_observe, ON_BATCH | SIMULATES,
     mimo_batch_observe(a->batch, a->mask, a->worlds, a->blocks, a->blocks_bytes), WORLDS, BLOCKS,
     DO(no_blocks, E_ARG, "blocks"))
+ROW(mimo_batch_spontaneous, ON_BATCH,
+    mimo_batch_spontaneous(a->batch, MIMO_MOVEMENT_ALL, a->all_moves, a->actions_count), NO_NULL(all_moves, "actions"),
+    SHORT(actions_count, "count"))
 ROW(mimo_batch_get, ON_BATCH,
     mimo_batch_get(a->batch, a->quantity, a->ids, a->id_count, a->mask, a->worlds, a->all_values, a->values_count),
     QUANTITIES, IDS, WORLDS, NO_NULL(all_values, "values"), VALUES(values_count))

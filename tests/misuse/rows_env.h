@@ -99,6 +99,9 @@ ROW(mimo_env_project, ON_ENV | SIMULATES,
       UNKNOWNS(how, 2, "how"), NULL_OK(numbers)
 ROW(mimo_env_gaze, ON_ENV, mimo_env_gaze(a->env, a->agent_index, a->gaze), BAD_INDEX(agent_index, "agent"),
     DESCRIPTION(gaze, mimo_gaze, "gaze"))
+ROW(mimo_env_spontaneous, ON_ENV,
+    mimo_env_spontaneous(a->env, a->agent_index, MIMO_MOVEMENT_ALL, a->own_moves, a->action_count),
+    BAD_INDEX(agent_index, "agent"), NO_NULL(own_moves, "actions"), SHORT(action_count, "count"))
 ROW(mimo_env_look_angles, ON_ENV | SIMULATES,
     mimo_env_look_angles(a->env, a->agent_index, a->points, a->how, a->look_joints, a->look_angles, a->look_capacity,
                          a->count, a->numbers),

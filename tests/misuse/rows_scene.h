@@ -228,6 +228,8 @@ ROW(mimo_scene_set_parameter, ON_SCENE, mimo_scene_set_parameter(a->scene, a->pa
     DO(unknown_parameter, MIMO_E_NOT_FOUND, "mood"))
 ROW(mimo_scene_get_parameter, ON_SCENE, mimo_scene_get_parameter(a->scene, a->parameter_name, a->number),
     NO_NULL(parameter_name, "name"), NO_NULL(number, "value"), DO(unknown_parameter, MIMO_E_NOT_FOUND, "mood"))
+ROW(mimo_scene_behaviour, ON_BEHAVIOUR, mimo_scene_behaviour(a->room, a->behaviour),
+    DESCRIPTION(behaviour, mimo_behaviour, "behaviour"))
 ROW(mimo_scene_set_task, ON_SCENE, mimo_scene_set_task(a->scene, a->task), NULL_OK(task),
     CONFIG(task, mimo_task, "task"), UNKNOWN_FIELD(task, mimo_task, reserved, 1, "reserved"),
     {FAULT_FIELD_SIZE, "memory", MEMBER(task), FIELD(mimo_task, memory_bytes), 1048577, 0, NULL, E_ARG, "memory_bytes"},

@@ -45,6 +45,7 @@ typedef struct args {
   mimo_field_config* field_config;
   mimo_model_config* model_config;
   mimo_gaze* gaze;
+  mimo_behaviour* behaviour;
   mimo_mesh* mesh;
   mimo_appearance* appearance;
   mimo_texture* texture;
@@ -86,7 +87,7 @@ typedef struct args {
   double *reward, *values, *all_values, *numbers, *pixels, *receptors, *look_angles, *delays;
   uint8_t *terminated, *truncated, *rgb, *texels;
   mimo_status* statuses;
-  float *depth, *directions, *poses, *positions;
+  float *depth, *directions, *poses, *positions, *own_moves, *all_moves;
   uint32_t* corners;
   int32_t *outcome, *segmentation, *stage_objects, *look_joints;
   size_t block_bytes, blocks_bytes, capacity, agents, rgb_bytes, depth_count, segmentation_count;
@@ -157,7 +158,8 @@ enum {
   ON_LAYOUT = 2048,
   ON_RECORDER = 4096,
   ON_RECORDING = 8192,
-  ON_STAGE = 16384
+  ON_STAGE = 16384,
+  ON_BEHAVIOUR = 32768 /* a room that has one */
 };
 
 typedef struct row {

@@ -198,6 +198,8 @@ static void make_arrays(void) {
   good.blocks_bytes = worlds * good.block_bytes;
   good.action_count = actions;
   good.actions_count = worlds * actions;
+  good.own_moves = region(actions * sizeof(float));
+  good.all_moves = region(good.actions_count * sizeof(float));
   good.state_bytes = state;
   good.states_bytes = worlds * state;
   good.worlds = worlds;
@@ -380,6 +382,7 @@ static void make_structs(void) {
   good.field_config = region(sizeof *good.field_config + TAIL);
   good.model_config = region(sizeof *good.model_config + TAIL);
   good.gaze = region(sizeof *good.gaze + TAIL);
+  good.behaviour = region(sizeof *good.behaviour + TAIL);
   good.mesh = region(sizeof *good.mesh + TAIL);
   good.appearance = region(sizeof *good.appearance + TAIL);
   good.texture = region(sizeof *good.texture + TAIL);
@@ -491,6 +494,7 @@ static void fill_configs(void) {
   good.term->struct_size = sizeof *good.term;
   good.timing->struct_size = sizeof *good.timing;
   good.gaze->struct_size = sizeof *good.gaze;
+  good.behaviour->struct_size = sizeof *good.behaviour;
   good.appearance->struct_size = sizeof *good.appearance;
   good.report->struct_size = sizeof *good.report;
   good.senses_config->mujoco_version = mj_version();
@@ -665,6 +669,7 @@ args good_args(int uses) {
   if (uses & ON_SCENE) a.scene = make_scene("selfbody", "mitten");
   if (uses & ON_CART) a.scene = make_cart();
   if (uses & ON_ROOM) a.room = make_scene("free", NULL);
+  if (uses & ON_BEHAVIOUR) a.room = make_scene("sit", NULL);
   if (uses & ON_EMPTY) a.room = make_scene(NULL, NULL);
   return a;
 }

@@ -55,6 +55,7 @@ TASKS = {
     "rollover": (2, "<?"),
     "selftouch": (1, "<144I"),  # 36 geoms, four times
     "handregard": (1, "<8QQ"),
+    "behaviour": (3, "<5d"),  # of the scene head-lift: two values, nothing remembered, three times
     "own_task": (1, "<??f3I"),
 }
 SIZES = ("nq", "nv", "nu", "na", "nbody", "ngeom", "neq", "ntendon", "nlight", "nmocap", "nuserdata")

@@ -4,10 +4,10 @@
 
 enum { WORLDS = 3, SEED_OF_ALL = 5 };
 
-const char* const kept_names[] = {"free",          "reach",     "limited",    "standup",  "selfbody",    "catch",
-                                  "rollover",      "selftouch", "handregard", "own_task", "muscle",      "position",
-                                  "mujoco_muscle", "receptors", "hearing",    "sight",    "two_infants", "overrides",
-                                  "batch",         "attached",  NULL};
+const char* const kept_names[] = {"free",      "reach",         "limited",    "standup",   "selfbody", "catch",
+                                  "rollover",  "selftouch",     "handregard", "behaviour", "own_task", "muscle",
+                                  "position",  "mujoco_muscle", "receptors",  "hearing",   "sight",    "two_infants",
+                                  "overrides", "batch",         "attached",   NULL};
 
 int wants_sizes, model_sizes[SIZES];
 

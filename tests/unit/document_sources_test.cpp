@@ -41,7 +41,8 @@ TEST_F(SceneSources, BuiltInSceneByName) {
   EXPECT_STREQ(scene::built_in_scene(1), "free");
   EXPECT_STREQ(scene::built_in_scene(4), "selfbody");
   EXPECT_STREQ(scene::built_in_scene(8), "playdate");
-  EXPECT_EQ(scene::built_in_scene(12), nullptr);
+  EXPECT_STREQ(scene::built_in_scene(12), "head-lift");
+  EXPECT_EQ(scene::built_in_scene(37), nullptr);
   EXPECT_EQ(compile(scene::Scene(named("benchmark")))->nbody, 3);  // world, box, ball
   EXPECT_EQ(compile(scene::Scene(named("free")))->nbody, 1);
 }

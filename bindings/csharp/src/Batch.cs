@@ -140,6 +140,13 @@ namespace Mimo
             if (ages != null) Layout.Renew();
         }
 
+        /// <summary>Fills in what the motors of all infants do by themselves: actions for the next step, one world after the
+        /// other.</summary>
+        public void Spontaneous(float[] actions, Movement which = Movement.All)
+        {
+            MimoException.Check(Native.mimo_batch_spontaneous(Handle, (uint)which, actions, Given.LengthOf(actions, "actions")));
+        }
+
         /// <summary>The error message of a world's last call; "" if it succeeded.</summary>
         public string ErrorOf(int world)
         {

@@ -283,6 +283,26 @@ namespace Mimo
         All = 0x80000000
     }
 
+    /// <summary>Kinds of spontaneous movements.</summary>
+    [Flags]
+    public enum Movement : uint
+    {
+        /// <summary>None of them.</summary>
+        None = 0,
+        /// <summary>General movements: all limbs and the trunk, in turns; slow, they wax and wane.</summary>
+        General = 0x1,
+        /// <summary>Small movements of all joints all the time, between 6 weeks and 5 1/2 months.</summary>
+        Fidgets = 0x2,
+        /// <summary>Kicks: hip, knee and ankle bend and stretch together.</summary>
+        Kicks = 0x4,
+        /// <summary>Startles: arms and legs fly apart, up to the fourth month.</summary>
+        Startles = 0x8,
+        /// <summary>Short twitches of single joints.</summary>
+        Twitches = 0x10,
+        /// <summary>All kinds of the loaded library.</summary>
+        All = 0x80000000
+    }
+
     /// <summary>Reflexes of newborns, which add to the agent's commands.</summary>
     [Flags]
     public enum Reflex : uint

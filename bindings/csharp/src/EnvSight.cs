@@ -17,6 +17,13 @@ namespace Mimo
     /// <summary>Gaze of infants, and pictures.</summary>
     public sealed partial class Env
     {
+        /// <summary>Fills in what the motors of an infant do by themselves: actions for the next step, as many as it has.</summary>
+        public void Spontaneous(float[] actions, Movement which = Movement.All, int agent = 0)
+        {
+            MimoException.Check(Native.mimo_env_spontaneous(Handle, Given.Index(agent, "agent"), (uint)which, actions,
+                Given.LengthOf(actions, "actions")));
+        }
+
         /// <summary>An infant's gaze, from the poses of its eye cameras as Get reads them.</summary>
         public Gaze Gaze(int agent = 0)
         {

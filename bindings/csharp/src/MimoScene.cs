@@ -318,6 +318,17 @@ namespace Mimo
             return value;
         }
 
+        /// <summary>What the infant is to do, of a scene whose task is "behaviour".</summary>
+        public MimoBehaviour Behaviour
+        {
+            get
+            {
+                var raw = BehaviourStruct.New();
+                MimoException.Check(Native.mimo_scene_behaviour(Handle, ref raw));
+                return new MimoBehaviour(raw);
+            }
+        }
+
         /// <summary>Destroys the scene.</summary>
         public void Dispose() { owned.Dispose(); }
     }

@@ -1085,6 +1085,24 @@ namespace Mimo
             catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_recording_load_sense"); }
         }
 
+        internal static int mimo_env_spontaneous(EnvHandle env, UIntPtr agent, uint which, float[] actions, UIntPtr count)
+        {
+            try { return Entry.mimo_env_spontaneous(env, agent, which, actions, count); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_env_spontaneous"); }
+        }
+
+        internal static int mimo_batch_spontaneous(BatchHandle batch, uint which, float[] actions, UIntPtr count)
+        {
+            try { return Entry.mimo_batch_spontaneous(batch, which, actions, count); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_batch_spontaneous"); }
+        }
+
+        internal static int mimo_scene_behaviour(SceneHandle scene, ref BehaviourStruct behaviour)
+        {
+            try { return Entry.mimo_scene_behaviour(scene, ref behaviour); }
+            catch (EntryPointNotFoundException) { throw Library.Lacks("mimo_scene_behaviour"); }
+        }
+
         private static class Entry
         {
             [DllImport(File)] internal static extern uint mimo_abi_version();
@@ -1262,6 +1280,9 @@ namespace Mimo
             [DllImport(File)] internal static extern int mimo_scene_sense_parameter(SceneHandle scene, UIntPtr index, ref ParameterStruct parameter);
             [DllImport(File)] internal static extern int mimo_recording_add_sense(RecordingHandle recording, ref SenseStruct sense);
             [DllImport(File)] internal static extern int mimo_recording_load_sense(RecordingHandle recording, byte[] path);
+            [DllImport(File)] internal static extern int mimo_env_spontaneous(EnvHandle env, UIntPtr agent, uint which, float[] actions, UIntPtr count);
+            [DllImport(File)] internal static extern int mimo_batch_spontaneous(BatchHandle batch, uint which, float[] actions, UIntPtr count);
+            [DllImport(File)] internal static extern int mimo_scene_behaviour(SceneHandle scene, ref BehaviourStruct behaviour);
         }
     }
 

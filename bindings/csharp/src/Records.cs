@@ -98,6 +98,68 @@ namespace Mimo
         }
     }
 
+    /// <summary>The behaviour of a scene whose task is "behaviour". Texts are valid until the scene is changed,
+    /// destroyed or asked again. The behaviour is shown when the measure has reached its threshold and all
+    /// conditions hold, together for HoldSeconds.</summary>
+    public struct MimoBehaviour
+    {
+        /// <summary>True: the measure reaches its threshold from above; false: from below.</summary>
+        public bool AtMost { get; }
+
+        /// <summary>What the infant does: "sits without support".</summary>
+        public string About { get; }
+
+        /// <summary>What is measured: "tilt upper_body z".</summary>
+        public string Measure { get; }
+
+        /// <summary>Unit of the measure and of threshold: "m", "deg", "s", "times", ...; "" for a share.</summary>
+        public string Unit { get; }
+
+        /// <summary>What else has to hold, as the document words it, parted by "; "; "" for nothing.</summary>
+        public string Conditions { get; }
+
+        /// <summary>Lengths are those of the body of 18 months; they are scaled with the infant's stature.</summary>
+        public double Threshold { get; }
+
+        /// <summary>How long everything has to hold, s; 0: an instant.</summary>
+        public double HoldSeconds { get; }
+
+        /// <summary>Length of an episode, s.</summary>
+        public double EpisodeSeconds { get; }
+
+        /// <summary>Months at which the first infants show it; 0: not known.</summary>
+        public double NormEarly { get; }
+
+        /// <summary>Months at which the middle infant shows it; 0: not known.</summary>
+        public double NormAge { get; }
+
+        /// <summary>Months at which all but the last infants show it; 0: not known.</summary>
+        public double NormLate { get; }
+
+        /// <summary>Which statistics these three are; "" where none is known.</summary>
+        public string Norm { get; }
+
+        /// <summary>Who published them, or "not found" and what was looked for.</summary>
+        public string NormSource { get; }
+
+        internal MimoBehaviour(BehaviourStruct raw)
+        {
+            AtMost = raw.at_most != 0;
+            About = Utf8.Of(raw.about);
+            Measure = Utf8.Of(raw.measure);
+            Unit = Utf8.Of(raw.unit);
+            Conditions = Utf8.Of(raw.conditions);
+            Threshold = raw.threshold;
+            HoldSeconds = raw.hold_seconds;
+            EpisodeSeconds = raw.episode_seconds;
+            NormEarly = raw.norm_early;
+            NormAge = raw.norm_age;
+            NormLate = raw.norm_late;
+            Norm = Utf8.Of(raw.norm);
+            NormSource = Utf8.Of(raw.norm_source);
+        }
+    }
+
     /// <summary>The gaze of an infant.</summary>
     public struct Gaze
     {

@@ -1348,4 +1348,30 @@ namespace Mimo
             return made;
         }
     }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal partial struct BehaviourStruct
+    {
+        internal uint struct_size;
+        internal uint at_most;
+        internal IntPtr about;
+        internal IntPtr measure;
+        internal IntPtr unit;
+        internal IntPtr conditions;
+        internal double threshold;
+        internal double hold_seconds;
+        internal double episode_seconds;
+        internal double norm_early;
+        internal double norm_age;
+        internal double norm_late;
+        internal IntPtr norm;
+        internal IntPtr norm_source;
+
+        internal const uint Bytes = 104;
+
+        internal static BehaviourStruct New()
+        {
+            return new BehaviourStruct { struct_size = Bytes };
+        }
+    }
 }

@@ -181,6 +181,10 @@ internal static partial class Tests
             "88 8, release 96 8" },
         { typeof(SenseFieldStruct), "112: " +
             "struct_size 0 4, dtype 4 4, name 8 8, unit 16 8, frame 24 8, shape 32 8, ndim 40 8, low 48 8, high 56 8, " +
-            "labels 64 8, label_count 72 8, skin 80 8, receptors 88 8, receptor_count 96 8, nerve_speed 104 8" }
+            "labels 64 8, label_count 72 8, skin 80 8, receptors 88 8, receptor_count 96 8, nerve_speed 104 8" },
+        { typeof(BehaviourStruct), "104: " +
+            "struct_size 0 4, at_most 4 4, about 8 8, measure 16 8, unit 24 8, conditions 32 8, threshold 40 8, " +
+            "hold_seconds 48 8, episode_seconds 56 8, norm_early 64 8, norm_age 72 8, norm_late 80 8, norm 88 8, " +
+            "norm_source 96 8" }
     };
 }

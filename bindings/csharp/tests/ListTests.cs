@@ -42,7 +42,7 @@ internal static partial class Tests
         Check(Rooms.Names.Contains("playroom"), string.Join(" ", Rooms.Names));
         foreach (var name in Rooms.Names)
             using (var scene = MimoScene.Empty()) scene.SetRoom(name);
-        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard" };
+        var tasks = new[] { "none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard", "behaviour" };
         Check(tasks.All(Tasks.Names.Contains), string.Join(" ", Tasks.Names));
         Check(Refused(() => MimoScene.Builtin("bench")).Message.Contains("benchmark"), "another message");
     }
@@ -65,6 +65,34 @@ internal static partial class Tests
             }
             Check(Tasks.Parameters.Single(one => one.Name == "reach/success_reward").Standard == 100, "another reward");
             Check(Refused(() => scene.GetParameter("reach/luck")).Status == Status.NotFound, "another status");
+        }
+    }
+
+    /// <summary>WHO's window of sitting without support: 3.8 to 9.2 months, for ten seconds.</summary>
+    private static void BehavioursSayWhatTheyMeasure()
+    {
+        using (var scene = MimoScene.Builtin("sit"))
+        {
+            var sit = scene.Behaviour;
+            Check(sit.Measure == "tilt upper_body z" && sit.Unit == "deg" && sit.HoldSeconds == 10, sit.Measure);
+            Check(sit.NormEarly == 3.8 && sit.NormLate == 9.2 && sit.AtMost, "another norm");
+        }
+        using (var scene = MimoScene.Builtin("reach"))
+            Check(Refused(() => { var none = scene.Behaviour; }).Status == Status.NotFound, "another status");
+    }
+
+    /// <summary>The same episode has the same movements.</summary>
+    private static void InfantsMoveByThemselves()
+    {
+        using (var env = new Env("rollover"))
+        {
+            var one = new float[env.Layout.Actions.Count];
+            var same = new float[one.Length];
+            env.Reset(1);
+            env.Spontaneous(one);
+            env.Reset(1);
+            env.Spontaneous(same);
+            Check(one.Any(action => action != 0) && one.SequenceEqual(same), "other movements");
         }
     }
 

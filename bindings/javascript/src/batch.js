@@ -1,5 +1,5 @@
 import { Handle } from "./handle.js";
-import { Autoreset } from "./generated/constants.js";
+import { Autoreset, Movement } from "./generated/constants.js";
 import { layoutOf } from "./layout.js";
 import { withLog } from "./log.js";
 import { Block, check, integer, textAt, view, wasm, within } from "./memory.js";
@@ -250,6 +250,20 @@ export class Batch extends Handle {
       const [given, chosen] = [idsOf(frame, ids), this.#mask(frame, mask)];
       const at = frame.array("f64", "values", values);
       check(wasm().mimo_batch_set(this.pointer, integer("quantity", quantity), given, ids?.length ?? 0, chosen, mask ? this.worlds : 0, at, values.length));
+    });
+  }
+
+  /**
+   * What the motors of all infants do by themselves: actions for the next step, one world after the other.
+   * @param {number} [which] kinds of Movement
+   * @returns {Float32Array}
+   */
+  spontaneous(which = Movement.ALL) {
+    return within((frame) => {
+      const count = this.worlds * this.layout.actions.length;
+      const at = frame.place(4 * Math.max(count, 1));
+      check(wasm().mimo_batch_spontaneous(this.pointer, integer("which", which, 0), at, count));
+      return frame.view("f32", at, count).slice();
     });
   }
 

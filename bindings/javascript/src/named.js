@@ -1,5 +1,5 @@
 import { WorldCalls } from "./generated/world_calls.js";
-import { Kind, Quantity } from "./generated/constants.js";
+import { Kind, Movement, Quantity } from "./generated/constants.js";
 import { Block, check, integer, wasm, within } from "./memory.js";
 import { setWorldAt } from "./task.js";
 
@@ -128,6 +128,21 @@ export class Named extends WorldCalls {
       const at = frame.place(8 * Math.max(integer("count", count, 0), 1));
       check(wasm().mimo_env_random(this.pointer, at, count));
       return frame.view("f64", at, count).slice();
+    });
+  }
+
+  /**
+   * What the motors of an infant do by themselves at this moment: its actions for the next step.
+   * @param {number} count how many actions it has
+   * @param {number} [which] kinds of Movement
+   * @param {number} [agent]
+   * @returns {Float32Array}
+   */
+  spontaneous(count, which = Movement.ALL, agent = 0) {
+    return within((frame) => {
+      const at = frame.place(4 * Math.max(integer("count", count, 0), 1));
+      check(wasm().mimo_env_spontaneous(this.pointer, integer("agent", agent, 0), integer("which", which, 0), at, count));
+      return frame.view("f32", at, count).slice();
     });
   }
 

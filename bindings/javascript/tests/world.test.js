@@ -5,7 +5,7 @@ import * as mimo from "../src/index.js";
 import { Block } from "../src/memory.js";
 import { needed } from "./support.js";
 
-const { Axes, Kind, Outcome, Quantity, Scene, Status, World } = mimo;
+const { Axes, Kind, Movement, Outcome, Quantity, Scene, Status, World } = mimo;
 
 test("a step moves time on by its length and fills the observation", needed, () => {
   const world = new World("reach");
@@ -187,4 +187,24 @@ test("messages of the library come to the log", needed, () => {
   new World(scene, { log: (record) => told.push(record) }).close();
   assert.ok(told.some(({ text, level }) => /inside|starts/.test(text) && level === mimo.LogLevel.WARNING), JSON.stringify(told));
   scene.close();
+});
+
+test("a behaviour says what it measures: WHO's window of sitting without support", needed, () => {
+  const scene = new Scene("sit");
+  const { measure, unit, atMost, holdSeconds, normEarly, normLate } = scene.behaviour();
+  assert.deepEqual([measure, unit, atMost, holdSeconds, normEarly, normLate], ["tilt upper_body z", "deg", true, 10, 3.8, 9.2]);
+  scene.close();
+});
+
+test("infants move by themselves, the same in the same episode", needed, () => {
+  const world = new World("rollover");
+  const count = world.layout.actions.length;
+  const [one, same] = [0, 1].map(() => {
+    world.reset({ seed: 1 });
+    return world.spontaneous(count);
+  });
+  assert.ok(one.some((action) => action !== 0));
+  assert.deepEqual(one, same);
+  assert.ok(world.spontaneous(count, Movement.FIDGETS).every((action) => action === 0)); // at 18 months
+  world.close();
 });

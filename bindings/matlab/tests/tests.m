@@ -2,7 +2,7 @@
 function tests()
   all_of_them = {@shapes_and_precision, @order_is_column_major, @errors_have_identifiers, @worlds_survive_clear, ...
                  @rewards_equal_those_of_c, @options_reach_the_world, @senses_and_motors_have_limits, @own_rooms_take_objects_and_cameras, @many_worlds_equal_single_worlds, @states_continue_bit_for_bit, ...
-                 @quantities_are_read_and_written_by_name, @faces_show_in_pictures, @eyes_converge_on_a_point, @locks_and_gravity_are_set, @masses_and_contacts_obey_mechanics, ...
+                 @quantities_are_read_and_written_by_name, @faces_show_in_pictures, @behaviours_say_what_they_measure, @infants_move_by_themselves, @eyes_converge_on_a_point, @locks_and_gravity_are_set, @masses_and_contacts_obey_mechanics, ...
                  @help_says_how_to_call, @messages_count_from_one, @own_robots_have_senses, ...
                  @scenes_are_built_step_by_step, @metal_feels_colder_than_wood, @each_infant_has_its_own_options, @infants_have_any_age, @scenes_refuse_wrong_options, @library_and_worlds_describe_themselves, @failures_name_each_world, ...
                  @single_worlds_of_a_batch_move, @points_and_appearances_are_read, @pictures_have_depth, @engines_get_meshes_and_poses, @send_and_receive_equal_a_step};
@@ -272,6 +272,24 @@ function faces_show_in_pictures()
   angry = mimo_observe(world);
   assert(~isequal(seen.vision_close, angry.vision_close));
   assert(isequal(angry.vision_close, mimo_picture(world, 48, 48, 'close', 1)));
+  mimo_close(world);
+end
+
+% WHO's window of sitting without support: 3.8 to 9.2 months, for ten seconds.
+function behaviours_say_what_they_measure()
+  sit = mimo_behaviour(mimo_scene('sit'));
+  assert(strcmp(sit.measure, 'tilt upper_body z') && strcmp(sit.unit, 'deg') && sit.hold_seconds == 10);
+  assert(sit.norm_early == 3.8 && sit.norm_late == 9.2);
+end
+
+% The same episode has the same movements.
+function infants_move_by_themselves()
+  world = mimo_create('rollover', 'touch', 0);
+  mimo_reset(world, 1);
+  one = mimo_spontaneous(world);
+  mimo_reset(world, 1);
+  assert(any(one) && isequal(one, mimo_spontaneous(world)));
+  assert(~isequal(one, mimo_spontaneous(world, 16)));
   mimo_close(world);
 end
 

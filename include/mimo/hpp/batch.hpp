@@ -73,6 +73,12 @@ class Batch : public Handle<mimo_batch, detail::destroy_batch> {
                           blocks.bytes(), results));
   }
 
+  /// What the motors of all infants do by themselves: actions for the next step, worlds x actions. `which` are
+  /// MIMO_MOVEMENT_ bits.
+  void spontaneous(std::vector<float> &actions, std::uint32_t which = MIMO_MOVEMENT_ALL) const {
+    check(mimo_batch_spontaneous(get(), which, actions.data(), actions.size()));
+  }
+
   /// Starts a step and returns at once. Actions, blocks and what the results point to stay as they are, and where they
   /// are, until receive(); nothing else can be asked of the batch meanwhile.
   void send(const std::vector<float> &actions, Block &blocks, const mimo_batch_results *results = nullptr) {

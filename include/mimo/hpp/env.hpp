@@ -344,6 +344,11 @@ class Env : public Handle<mimo_env, detail::destroy_env> {
     set_values(MIMO_AGENT_FACE, {static_cast<std::int32_t>(agent)}, {face});
   }
 
+  /// What the motors of an infant do by themselves: actions for the next step, as many as it has. `which` are
+  /// MIMO_MOVEMENT_ bits.
+  void spontaneous(std::vector<float> &actions, std::uint32_t which = MIMO_MOVEMENT_ALL, std::size_t agent = 0) const {
+    check(mimo_env_spontaneous(get(), agent, which, actions.data(), actions.size()));
+  }
   mimo_gaze gaze(std::size_t agent = 0) const {
     mimo_gaze gaze;
     gaze.struct_size = sizeof gaze;

@@ -113,6 +113,14 @@ class Scene : public Handle<mimo_scene, detail::destroy_scene> {
     check(mimo_scene_get_parameter(get(), name.c_str(), &value));
     return value;
   }
+  /// What the infant of a scene is to do whose task is "behaviour". Texts are valid until the scene is changed,
+  /// destroyed or asked again.
+  mimo_behaviour behaviour() {
+    mimo_behaviour behaviour{};
+    behaviour.struct_size = sizeof behaviour;
+    check(mimo_scene_behaviour(get(), &behaviour));
+    return behaviour;
+  }
   void add_object(const mimo_object_config &config) { check(mimo_scene_add_object(get(), &config)); }
   void add_camera(const mimo_camera_config &config) { check(mimo_scene_add_camera(get(), &config)); }
   /// A further field of the observation.

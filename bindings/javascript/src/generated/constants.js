@@ -251,6 +251,22 @@ export const Act = Object.freeze({
   NONE: 0x40000000,
 });
 
+/** Kinds of spontaneous movements. */
+export const Movement = Object.freeze({
+  /** General movements: all limbs and the trunk, in turns; slow, they wax and wane. Experimental. */
+  GENERAL: 0x1,
+  /** Small movements of all joints all the time, between 6 weeks and 5 1/2 months. Experimental. */
+  FIDGETS: 0x2,
+  /** Kicks: hip, knee and ankle bend and stretch together. Experimental. */
+  KICKS: 0x4,
+  /** Startles: arms and legs fly apart, up to the fourth month. Experimental. */
+  STARTLES: 0x8,
+  /** Short twitches of single joints. Experimental. */
+  TWITCHES: 0x10,
+  /** All kinds of the loaded library. Experimental. */
+  ALL: 0x80000000,
+});
+
 /** Reflexes of newborns, which add to the agent's commands. */
 export const Reflex = Object.freeze({
   /**

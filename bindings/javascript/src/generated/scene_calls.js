@@ -304,4 +304,22 @@ export class SceneCalls extends Handle {
       check(wasm().mimo_scene_set_material(this.pointer, frame.text("body", body), frame.text("material", material)));
     });
   }
+
+  /**
+   * The behaviour of a scene, as its document says it: parameters that were set do not change it. Set
+   * behaviour->struct_size first.
+   *
+   * Errors: Status.NOT_FOUND for a scene whose document describes none; Status.MODEL for one that the library does
+   * not understand, with the words.
+   *
+   * Experimental.
+   * @returns {import("./types.js").Behaviour}
+   */
+  behaviour() {
+    return within((frame) => {
+      const behaviourAt = frame.empty("mimo_behaviour");
+      check(wasm().mimo_scene_behaviour(this.pointer, behaviourAt));
+      return frame.record("mimo_behaviour", behaviourAt);
+    });
+  }
 }

@@ -803,4 +803,23 @@ export const structs = {
       differsMostIn: ["text", 32],
     },
   },
+  mimo_behaviour: {
+    size: 80,
+    init: "",
+    members: {
+      atMost: ["switch", 4],
+      about: ["text", 8],
+      measure: ["text", 12],
+      unit: ["text", 16],
+      conditions: ["text", 20],
+      threshold: ["f64", 24],
+      holdSeconds: ["f64", 32],
+      episodeSeconds: ["f64", 40],
+      normEarly: ["f64", 48],
+      normAge: ["f64", 56],
+      normLate: ["f64", 64],
+      norm: ["text", 72],
+      normSource: ["text", 76],
+    },
+  },
 };

@@ -860,4 +860,27 @@
  * recording's next call that is not const.
  */
 
+/**
+ * The behaviour of a scene whose task is "behaviour". Texts are valid until the scene is changed, destroyed or
+ * asked again. The behaviour is shown when the measure has reached its threshold and all conditions hold, together
+ * for hold_seconds.
+ *
+ * Experimental.
+ * @typedef {object} Behaviour
+ * @property {boolean} [atMost] true: the measure reaches its threshold from above; false: from below.
+ * @property {string} [about] What the infant does: "sits without support".
+ * @property {string} [measure] What is measured: "tilt upper_body z".
+ * @property {string} [unit] Unit of the measure and of threshold: "m", "deg", "s", "times", ...; "" for a share.
+ * @property {string} [conditions] What else has to hold, as the document words it, parted by "; "; "" for nothing.
+ * @property {number} [threshold] Lengths are those of the body of 18 months; they are scaled with the infant's
+ * stature.
+ * @property {number} [holdSeconds] How long everything has to hold, s; 0: an instant.
+ * @property {number} [episodeSeconds] Length of an episode, s.
+ * @property {number} [normEarly] Months at which the first infants show it; 0: not known.
+ * @property {number} [normAge] Months at which the middle infant shows it; 0: not known.
+ * @property {number} [normLate] Months at which all but the last infants show it; 0: not known.
+ * @property {string} [norm] Which statistics these three are; "" where none is known.
+ * @property {string} [normSource] Who published them, or "not found" and what was looked for.
+ */
+
 export {};

@@ -1084,6 +1084,27 @@ class SenseField(Struct):
     ]
 
 
+class Behaviour(Struct):
+    """mimo_behaviour."""
+
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("at_most", c_uint32),
+        ("about", c_char_p),
+        ("measure", c_char_p),
+        ("unit", c_char_p),
+        ("conditions", c_char_p),
+        ("threshold", c_double),
+        ("hold_seconds", c_double),
+        ("episode_seconds", c_double),
+        ("norm_early", c_double),
+        ("norm_age", c_double),
+        ("norm_late", c_double),
+        ("norm", c_char_p),
+        ("norm_source", c_char_p),
+    ]
+
+
 SenseEntryFn = ctypes.CFUNCTYPE(c_int32, POINTER(Sense))
 
 
@@ -1269,4 +1290,7 @@ FUNCTIONS: Dict[str, Tuple[Any, List[Any]]] = {
     "mimo_scene_sense_parameter": (c_int32, [c_void_p, c_size_t, POINTER(Parameter)]),
     "mimo_recording_add_sense": (c_int32, [c_void_p, POINTER(Sense)]),
     "mimo_recording_load_sense": (c_int32, [c_void_p, c_char_p]),
+    "mimo_env_spontaneous": (c_int32, [c_void_p, c_size_t, c_uint32, c_void_p, c_size_t]),
+    "mimo_batch_spontaneous": (c_int32, [c_void_p, c_uint32, c_void_p, c_size_t]),
+    "mimo_scene_behaviour": (c_int32, [c_void_p, POINTER(Behaviour)]),
 }

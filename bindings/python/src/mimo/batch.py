@@ -16,7 +16,7 @@ from ._library import LIB, check, defaults, message_text, raise_error, result
 from .access import Access
 from .ages import Age, changed, growths, listed
 from .arguments import index_in, known_keywords, number_of, numbers_in, whole_number
-from .constants import Autoreset, Kind, Quantity
+from .constants import Autoreset, Kind, Movement, Quantity
 from .contacts import contacts_of, step_contacts_of
 from .errors import Error, make_error
 from .layout import Layout, Observation
@@ -347,6 +347,13 @@ class Batch(Access):
         for index in range(self.world_count) if mask is None else np.flatnonzero(mask):
             check(LIB.mimo_env_random(self._world_handle(int(index)), values[index].ctypes.data, values.shape[1]))
         return values
+
+    def spontaneous(self, which: int = Movement.ALL) -> NDArray[np.float32]:
+        """What all infants' motors do by themselves: actions for the next step, worlds x actions; see World."""
+        actions = np.empty((self.world_count, len(self.action_names)), np.float32)
+        kinds = whole_number("which", which, Movement)
+        check(LIB.mimo_batch_spontaneous(self._handle, kinds, actions.ctypes.data, actions.size))
+        return actions
 
     def set_face(self, name: str, agent: int = 0, mask: Mask = None) -> None:
         """Sets an infant's face, see mimo.faces()."""

@@ -23,6 +23,7 @@ __all__ = [
     "LogLevel",
     "Look",
     "Mature",
+    "Movement",
     "NOW",
     "Outcome",
     "PictureFormat",
@@ -383,6 +384,28 @@ class Act(IntFlag):
 
     NONE = 0x40000000
     """No motor; excludes the other bits."""
+
+
+class Movement(IntFlag):
+    """Kinds of spontaneous movements."""
+
+    GENERAL = 0x1
+    """General movements: all limbs and the trunk, in turns; slow, they wax and wane. Experimental."""
+
+    FIDGETS = 0x2
+    """Small movements of all joints all the time, between 6 weeks and 5 1/2 months. Experimental."""
+
+    KICKS = 0x4
+    """Kicks: hip, knee and ankle bend and stretch together. Experimental."""
+
+    STARTLES = 0x8
+    """Startles: arms and legs fly apart, up to the fourth month. Experimental."""
+
+    TWITCHES = 0x10
+    """Short twitches of single joints. Experimental."""
+
+    ALL = 0x80000000
+    """All kinds of the loaded library. Experimental."""
 
 
 class Reflex(IntFlag):

@@ -30,6 +30,7 @@ from ._library import LIB, check, defaults, log_to_python, result, text, told_be
 from ._strict import Strict
 from .ages import growth_from
 from .arguments import number_of, real_number, several, vector
+from .behaviour import Behaviour, behaviour_of
 from .constants import NOW, Place, Proprioception, Quantity, Reflex, Status, Touch, Vestibular
 from .errors import NotFoundError
 from .maturity import Maturity, maturity_from
@@ -206,6 +207,12 @@ class Scene(Handle):
         if given == {"orientation"} and self._agents > 0 and not any(config.position):  # all its places are taken
             raise ValueError(f"orientation: the scene has no place for infant number {self._agents + 1}; give position")
         return config
+
+    def behaviour(self) -> Behaviour:
+        """What the infant is to do, of a scene whose task is "behaviour"; NotFoundError for another scene."""
+        raw = _abi.Behaviour()
+        check(LIB.mimo_scene_behaviour(self._handle, raw))
+        return behaviour_of(raw)
 
     @_edit
     def set_room(self, name: str) -> None:

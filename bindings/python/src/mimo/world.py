@@ -15,7 +15,7 @@ from ._library import LIB, check, defaults, from_struct, log_to_python, raise_er
 from ._strict import reading
 from .ages import Age, growths, of_agents
 from .arguments import index_in, known_keywords, number_of, numbers_in, real_number, vector, whole_number
-from .constants import Kind, Look, Quantity
+from .constants import Kind, Look, Movement, Quantity
 from .contacts import contacts_of, step_contacts_of
 from .geometry import Geometry
 from .layout import Layout, Observation
@@ -348,6 +348,18 @@ class World(Geometry):
         values = np.empty(number_of("count", count))
         check(LIB.mimo_env_random(self._handle, values.ctypes.data, len(values)))
         return values
+
+    def spontaneous(self, which: int = Movement.ALL, agent: int = 0) -> NDArray[np.float32]:
+        """What an infant's motors do by themselves at this moment: its actions for the next step.
+
+        `which` are kinds of `Movement`. The same episode has the same movements.
+        """
+        number = self._agent(agent)
+        own = self.agents[number].actions
+        actions = np.empty(own.stop - own.start, np.float32)
+        kinds = whole_number("which", which, Movement)
+        check(LIB.mimo_env_spontaneous(self._handle, number, kinds, actions.ctypes.data, len(actions)))
+        return actions
 
     def contacts(self, world: int = 0) -> Contacts:
         """The contacts of the last physics step, or of the reset."""

@@ -951,6 +951,36 @@ pub const MIMO_AS_RECORDED: u32 = 1073741824;
 /// Experimental.
 pub const MIMO_SENSE_INTERFACE: u32 = 1;
 
+/// General movements: all limbs and the trunk, in turns; slow, they wax and wane.
+///
+/// Experimental.
+pub const MIMO_MOVEMENT_GENERAL: u32 = 1;
+
+/// Small movements of all joints all the time, between 6 weeks and 5 1/2 months.
+///
+/// Experimental.
+pub const MIMO_MOVEMENT_FIDGETS: u32 = 2;
+
+/// Kicks: hip, knee and ankle bend and stretch together.
+///
+/// Experimental.
+pub const MIMO_MOVEMENT_KICKS: u32 = 4;
+
+/// Startles: arms and legs fly apart, up to the fourth month.
+///
+/// Experimental.
+pub const MIMO_MOVEMENT_STARTLES: u32 = 8;
+
+/// Short twitches of single joints.
+///
+/// Experimental.
+pub const MIMO_MOVEMENT_TWITCHES: u32 = 16;
+
+/// All kinds of the loaded library.
+///
+/// Experimental.
+pub const MIMO_MOVEMENT_ALL: u32 = 2147483648;
+
 /// Result of a call: MIMO_OK or one of the negative MIMO_E_ constants.
 pub type mimo_status = i32;
 
@@ -2863,6 +2893,44 @@ pub struct mimo_sense_field {
     pub nerve_speed: f64,
 }
 
+/// The behaviour of a scene whose task is "behaviour". Texts are valid until the scene is changed, destroyed or asked
+/// again. The behaviour is shown when the measure has reached its threshold and all conditions hold, together for
+/// hold_seconds.
+///
+/// Experimental.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct mimo_behaviour {
+    /// sizeof(mimo_behaviour), set by the caller.
+    pub struct_size: u32,
+    /// 1: the measure reaches its threshold from above; 0: from below.
+    pub at_most: u32,
+    /// What the infant does: "sits without support".
+    pub about: *const c_char,
+    /// What is measured: "tilt upper_body z".
+    pub measure: *const c_char,
+    /// Unit of the measure and of threshold: "m", "deg", "s", "times", ...; "" for a share.
+    pub unit: *const c_char,
+    /// What else has to hold, as the document words it, parted by "; "; "" for nothing.
+    pub conditions: *const c_char,
+    /// Lengths are those of the body of 18 months; they are scaled with the infant's stature.
+    pub threshold: f64,
+    /// How long everything has to hold, s; 0: an instant.
+    pub hold_seconds: f64,
+    /// Length of an episode, s.
+    pub episode_seconds: f64,
+    /// Months at which the first infants show it; 0: not known.
+    pub norm_early: f64,
+    /// Months at which the middle infant shows it; 0: not known.
+    pub norm_age: f64,
+    /// Months at which all but the last infants show it; 0: not known.
+    pub norm_late: f64,
+    /// Which statistics these three are; "" where none is known.
+    pub norm: *const c_char,
+    /// Who published them, or "not found" and what was looked for.
+    pub norm_source: *const c_char,
+}
+
 extern "C" {
     /// ABI version of the loaded library; compare with MIMO_ABI_VERSION. Never fails.
     pub fn mimo_abi_version() -> u32;
@@ -4281,4 +4349,40 @@ extern "C" {
     ///
     /// * `path`: of the library.
     pub fn mimo_recording_load_sense(recording: *mut mimo_recording, path: *const c_char) -> mimo_status;
+
+    /// What the motors of an agent do by themselves at this moment of its episode: actions for the next step. They
+    /// depend on the seed of the episode, its time, the agent's age and the names of its motors only: the same episode
+    /// has the same movements, whatever a program does with them. Eyes rest.
+    ///
+    /// Errors: MIMO_E_UNSUPPORTED for an agent that is no infant, or is not moved by torques; MIMO_E_BUFFER_TOO_SMALL.
+    ///
+    /// Experimental.
+    ///
+    /// * `which`: MIMO_MOVEMENT_ bits; 0: nothing moves.
+    ///
+    /// * `actions`: receives as many numbers as the agent has actions (mimo_agent_info.action_count), within their
+    /// bounds.
+    ///
+    /// * `count`: length of actions.
+    pub fn mimo_env_spontaneous(env: *const mimo_env, agent: usize, which: u32, actions: *mut f32, count: usize) -> mimo_status;
+
+    /// The same for all agents of all worlds: actions as mimo_batch_step takes them.
+    ///
+    /// Experimental.
+    ///
+    /// * `which`: MIMO_MOVEMENT_ bits; 0: nothing moves.
+    ///
+    /// * `actions`: receives the actions of each world, one world after the other.
+    ///
+    /// * `count`: length of actions: worlds times actions of a world.
+    pub fn mimo_batch_spontaneous(batch: *const mimo_batch, which: u32, actions: *mut f32, count: usize) -> mimo_status;
+
+    /// The behaviour of a scene, as its document says it: parameters that were set do not change it. Set
+    /// behaviour->struct_size first.
+    ///
+    /// Errors: MIMO_E_NOT_FOUND for a scene whose document describes none; MIMO_E_MODEL for one that the library does
+    /// not understand, with the words.
+    ///
+    /// Experimental.
+    pub fn mimo_scene_behaviour(scene: *mut mimo_scene, behaviour: *mut mimo_behaviour) -> mimo_status;
 }

@@ -1,6 +1,7 @@
 //! Many worlds.
 use crate::block::{memory, Block};
 use crate::configs::{BatchConfig, EnvConfig};
+use crate::constants::Movement;
 use crate::error::{check, text, told, Error, Result};
 use crate::layout::Layout;
 use crate::log::Log;
@@ -141,6 +142,13 @@ impl Batch {
     pub fn observe(&mut self, blocks: &mut Block) -> Result<()> {
         let (bytes, count) = memory(Some(blocks));
         check(unsafe { sys::mimo_batch_observe(self.handle(), null(), 0, bytes, count) })
+    }
+
+    /// Fills in what the motors of all infants do by themselves: actions for the next step, one world after the other.
+    /// `which` are kinds of movements.
+    pub fn spontaneous(&self, which: Movement, actions: &mut [f32]) -> Result<()> {
+        let (place, count) = (actions.as_mut_ptr(), actions.len());
+        check(unsafe { sys::mimo_batch_spontaneous(self.handle(), which.raw(), place, count) })
     }
 
     /// The error of one world in the last call; None if there was none.

@@ -321,6 +321,35 @@ flags! {
 }
 
 flags! {
+    /// Kinds of spontaneous movements.
+    Movement: u32
+    /// General movements: all limbs and the trunk, in turns; slow, they wax and wane.
+    ///
+    /// Experimental.
+    GENERAL = MIMO_MOVEMENT_GENERAL,
+    /// Small movements of all joints all the time, between 6 weeks and 5 1/2 months.
+    ///
+    /// Experimental.
+    FIDGETS = MIMO_MOVEMENT_FIDGETS,
+    /// Kicks: hip, knee and ankle bend and stretch together.
+    ///
+    /// Experimental.
+    KICKS = MIMO_MOVEMENT_KICKS,
+    /// Startles: arms and legs fly apart, up to the fourth month.
+    ///
+    /// Experimental.
+    STARTLES = MIMO_MOVEMENT_STARTLES,
+    /// Short twitches of single joints.
+    ///
+    /// Experimental.
+    TWITCHES = MIMO_MOVEMENT_TWITCHES,
+    /// All kinds of the loaded library.
+    ///
+    /// Experimental.
+    ALL = MIMO_MOVEMENT_ALL,
+}
+
+flags! {
     /// Reflexes of newborns, which add to the agent's commands.
     Reflex: u32
     /// Reflexes of newborns, added to the agent's commands according to its age: see docs/guide/reflexes.md. Fingers

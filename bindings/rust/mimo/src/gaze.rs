@@ -1,5 +1,5 @@
 //! The gaze of infants.
-use crate::constants::Look;
+use crate::constants::{Look, Movement};
 use crate::error::{check, Result};
 use crate::structs::described;
 use crate::sys;
@@ -46,6 +46,13 @@ pub struct LookAngles {
 }
 
 impl World {
+    /// Fills in what the motors of an infant do by themselves: actions for the next step, as many as it has.
+    /// `which` are kinds of movements.
+    pub fn spontaneous(&self, agent: usize, which: Movement, actions: &mut [f32]) -> Result<()> {
+        let (place, count) = (actions.as_mut_ptr(), actions.len());
+        check(unsafe { sys::mimo_env_spontaneous(self.handle(), agent, which.raw(), place, count) })
+    }
+
     /// The gaze of an infant, from the current poses of its eyes' cameras.
     pub fn gaze(&self, agent: usize) -> Result<Gaze> {
         let raw: sys::mimo_gaze = described(|raw| unsafe { sys::mimo_env_gaze(self.handle(), agent, raw) })?;

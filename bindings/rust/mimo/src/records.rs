@@ -342,3 +342,45 @@ impl ReplayReport {
         ReplayReport { identical: raw.identical == 1, next: raw.next, steps: raw.steps, first_difference: raw.first_difference, largest_difference: raw.largest_difference, differs_most_in: text(raw.differs_most_in) }
     }
 }
+
+/// The behaviour of a scene whose task is "behaviour". Texts are valid until the scene is changed, destroyed or asked
+/// again. The behaviour is shown when the measure has reached its threshold and all conditions hold, together for
+/// hold_seconds.
+///
+/// Experimental.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Behaviour {
+    /// true: the measure reaches its threshold from above; false: from below.
+    pub at_most: bool,
+    /// What the infant does: "sits without support".
+    pub about: String,
+    /// What is measured: "tilt upper_body z".
+    pub measure: String,
+    /// Unit of the measure and of threshold: "m", "deg", "s", "times", ...; "" for a share.
+    pub unit: String,
+    /// What else has to hold, as the document words it, parted by "; "; "" for nothing.
+    pub conditions: String,
+    /// Lengths are those of the body of 18 months; they are scaled with the infant's stature.
+    pub threshold: f64,
+    /// How long everything has to hold, s; 0: an instant.
+    pub hold_seconds: f64,
+    /// Length of an episode, s.
+    pub episode_seconds: f64,
+    /// Months at which the first infants show it; 0: not known.
+    pub norm_early: f64,
+    /// Months at which the middle infant shows it; 0: not known.
+    pub norm_age: f64,
+    /// Months at which all but the last infants show it; 0: not known.
+    pub norm_late: f64,
+    /// Which statistics these three are; "" where none is known.
+    pub norm: String,
+    /// Who published them, or "not found" and what was looked for.
+    pub norm_source: String,
+}
+
+impl Behaviour {
+    pub(crate) fn of(raw: &sys::mimo_behaviour) -> Behaviour {
+        Behaviour { at_most: raw.at_most == 1, about: text(raw.about), measure: text(raw.measure), unit: text(raw.unit), conditions: text(raw.conditions), threshold: raw.threshold, hold_seconds: raw.hold_seconds, episode_seconds: raw.episode_seconds, norm_early: raw.norm_early, norm_age: raw.norm_age, norm_late: raw.norm_late, norm: text(raw.norm), norm_source: text(raw.norm_source) }
+    }
+}

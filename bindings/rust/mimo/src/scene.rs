@@ -2,9 +2,9 @@
 use crate::configs::{AgentConfig, CameraConfig, FieldConfig, ModelConfig, ObjectConfig, SceneConfig};
 use crate::error::{c_string, check, text, Result};
 use crate::log::Log;
-use crate::records::{Limits, Maturity};
+use crate::records::{Behaviour, Limits, Maturity};
 use crate::sense::{self, Sense, SenseParameter, SenseTable};
-use crate::structs::{defaults, pointer};
+use crate::structs::{defaults, described, pointer};
 use crate::sys;
 use crate::task::{self, Shared, Task};
 use std::ptr::{null, null_mut, NonNull};
@@ -235,6 +235,12 @@ impl Scene {
         let mut value = 0.0;
         check(unsafe { sys::mimo_scene_get_parameter(self.handle(), name.as_ptr(), &mut value) })?;
         Ok(value)
+    }
+
+    /// What the infant is to do, of a scene whose task is "behaviour".
+    pub fn behaviour(&mut self) -> Result<Behaviour> {
+        let raw = described(|raw| unsafe { sys::mimo_scene_behaviour(self.handle(), raw) })?;
+        Ok(Behaviour::of(&raw))
     }
 
     /// Sets how many bodies can play at once (default 4), and how many seconds of sound each can hold

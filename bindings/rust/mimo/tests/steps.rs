@@ -1,7 +1,7 @@
 //! Steps, terms of rewards, timing, and lists of names.
 use mimo::{
-    Batch, BatchConfig, Disable, Env, EnvConfig, Kind, ObjectConfig, PictureConfig, Quantity, Reset, Scene,
-    Status, Touch, Vision,
+    Batch, BatchConfig, Disable, Env, EnvConfig, Kind, Movement, ObjectConfig, PictureConfig, Quantity,
+    Reset, Scene, Status, Touch, Vision,
 };
 use std::time::Duration;
 
@@ -134,7 +134,9 @@ fn batches_know_their_size() {
 #[test]
 fn tasks_and_parameters_are_listed() {
     let tasks = mimo::tasks();
-    for task in ["none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard"] {
+    for task in
+        ["none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard", "behaviour"]
+    {
         assert!(tasks.contains(&task.to_string()), "{:?}", tasks);
     }
     let mut scene = Scene::builtin("reach").unwrap();
@@ -173,4 +175,35 @@ fn follow_returns_the_forces_of_a_movement() {
         "{}",
         error
     );
+}
+
+/// WHO's window of sitting without support: 3.8 to 9.2 months, for ten seconds.
+#[test]
+fn behaviours_say_what_they_measure() {
+    let sit = Scene::builtin("sit").unwrap().behaviour().unwrap();
+    assert_eq!(
+        (sit.measure.as_str(), sit.unit.as_str(), sit.hold_seconds),
+        ("tilt upper_body z", "deg", 10.0)
+    );
+    assert_eq!((sit.norm_early, sit.norm_late), (3.8, 9.2));
+    let error = Scene::builtin("reach").unwrap().behaviour().unwrap_err();
+    assert_eq!(error.status(), Status::NOT_FOUND);
+}
+
+/// The same episode has the same movements.
+#[test]
+fn infants_move_by_themselves() {
+    let mut scene = Scene::builtin("rollover").unwrap();
+    let mut agent = scene.default_agent().unwrap();
+    scene.add_agent(agent.touch(Touch::empty())).unwrap();
+    let mut env = Env::new(&scene, &EnvConfig::new().unwrap()).unwrap();
+    let mut courses = Vec::new();
+    for _ in 0..2 {
+        let mut actions = vec![0.0f32; env.agent(0).unwrap().actions.len()];
+        env.reset(Reset::new().seed(1), None).unwrap();
+        env.spontaneous(0, Movement::ALL, &mut actions).unwrap();
+        courses.push(actions);
+    }
+    assert!(courses[0].iter().any(|&action| action != 0.0));
+    assert_eq!(courses[0], courses[1]);
 }

@@ -1,0 +1,67 @@
+// How documents word behaviours.
+#include "tasks/behaviour/clauses.h"
+
+#include <gtest/gtest.h>
+
+#include "base/fail.h"
+
+namespace mimo::tasks {
+namespace {
+
+std::string refusal(const std::string& text) {
+  try {
+    read_clauses(text);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::kModel);
+    return error.message();
+  }
+  return "taken";
+}
+
+TEST(Clauses, AMeasureItsConditionsAndTheirTime) {
+  const Clauses clauses = read_clauses(
+      " tilt upper_body z  at most 30 from 90 deg;\n\tcontacts hands ground at least 2 parts; share (gaze toy at most "
+      "5 "
+      "deg) at least 0.5; for 2.5 s");
+  ASSERT_EQ(clauses.all.size(), 3u);
+  EXPECT_EQ(clauses.seconds, 2.5);
+  const Clause& measure = clauses.all[0];
+  EXPECT_EQ(measure.quantity, "tilt upper_body z");
+  EXPECT_FALSE(measure.at_least);
+  EXPECT_EQ(measure.threshold, 30);
+  EXPECT_EQ(measure.from, std::optional<double>(90));
+  EXPECT_EQ(measure.unit, "deg");
+  EXPECT_TRUE(clauses.all[1].at_least);
+  EXPECT_FALSE(clauses.all[1].from);
+  EXPECT_EQ(clauses.all[2].quantity, "share (gaze toy at most 5 deg)");
+  EXPECT_EQ(clauses.all[2].unit, "");
+}
+
+TEST(Clauses, WithoutATimeAnInstantIsEnough) { EXPECT_EQ(read_clauses("height head at least 0.2 m").seconds, 0); }
+
+TEST(Clauses, WordsInParenthesesAreOneWord) {
+  EXPECT_EQ(words_of("gain (times (a b) at least 1) 2 1"),
+            (std::vector<std::string>{"gain", "times (a b) at least 1", "2", "1"}));
+}
+
+TEST(Clauses, WhatIsNotUnderstoodIsNamed) {
+  for (const auto& [text, said] : {std::pair("", "nothing is measured"),
+                                   {"height head", "\"at least\" or \"at most\""},
+                                   {"at least 2 m", "expected a quantity"},
+                                   {"height head at least", "and a number"},
+                                   {"height head at least high m", "\"high\" stands where a number"},
+                                   {"height head at least nan m", "\"nan\" stands where a number"},
+                                   {"height head at least 1 m high", "\"high\" stands behind its end"},
+                                   {"height head at least 1 from 2 m", "beyond the threshold"},
+                                   {"tilt hip z at most 2 from 1 deg", "beyond the threshold"},
+                                   {"height head at least 1 m; for 3", "\"for 10 s\""},
+                                   {"height head at least 1 m; for -3 s", "below 0"},
+                                   {"for 3 s; height head at least 1 m", "stand last"},
+                                   {"times (height head at least 1 m at least 1 times", "\"(\" is not closed"},
+                                   {"height head) at least 1 m", "\")\" closes nothing"}}) {
+    EXPECT_NE(refusal(text).find(said), std::string::npos) << text << ": " << refusal(text);
+  }
+}
+
+}  // namespace
+}  // namespace mimo::tasks
