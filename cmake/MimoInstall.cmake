@@ -24,7 +24,7 @@ install(DIRECTORY docs/guide docs/adr docs/tutorials DESTINATION ${CMAKE_INSTALL
         FILES_MATCHING PATTERN *.md)
 install(DIRECTORY docs/data DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.csv)
 install(DIRECTORY docs/images DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents FILES_MATCHING PATTERN *.png)
-foreach(language c cpp csharp javascript lua matlab python rust senses)
+foreach(language c cpp csharp javascript lua matlab policies python rust senses)
   install(DIRECTORY examples/${language} DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples
           COMPONENT documents PATTERN __pycache__ EXCLUDE)
 endforeach()

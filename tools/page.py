@@ -73,7 +73,7 @@ def make_page():
     fresh(PAGE)
     bundle("main.js", PAGE / "page.js")
     make_recording_page()
-    copy([SOURCES / "page.css", SOURCES / "policy/reach.json", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
+    copy([SOURCES / "page.css", ROOT / "examples/policies/reach.json", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
     shutil.copy(SOURCES / "node_modules/three/LICENSE", PAGE / "LICENSE.three")
     if (PACKAGE / "licences").is_dir():
         shutil.copytree(PACKAGE / "licences", PAGE / "licences")

@@ -1,16 +1,19 @@
-// mimo run: random movements, all senses, pictures, and a table of what each sense gave.
+// mimo run: random or learned movements, all senses, pictures, and a table of what each sense gave.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/episode.h"
 #include "cli/picture.h"
 #include "cli/touch_picture.h"
 #include "programs/files.h"
 #include "programs/joints.h"
+#include "programs/policy.h"
 #include "programs/program.h"
 #include "programs/summary.h"
 #include "programs/text.h"
@@ -25,7 +28,23 @@ struct RunOptions {
   std::string out = "mimo_run";
   std::string sound;  // a file, or "" for none
   double full_scale = 1;
+  std::string policy;  // a file, or "" for random movements
+  std::string task;    // "" for the scene's own
+  bool spontaneous = false;
+  bool json = false;
 };
+
+// Of all infants, one after the other.
+std::vector<float> spontaneous_actions(const mimo::Env& env) {
+  std::vector<float> actions;
+  const auto agents = env.agents();
+  for (std::size_t agent = 0; agent < agents.size(); ++agent) {
+    std::vector<float> own(agents[agent].action_count);
+    env.spontaneous(own, MIMO_MOVEMENT_ALL, agent);
+    actions.insert(actions.end(), own.begin(), own.end());
+  }
+  return actions;
+}
 
 class Run {
  public:
@@ -41,11 +60,18 @@ class Run {
   void save_cameras(const std::string& prefix, const std::string& when);
   const mimo_field* field(const std::string& name) const;
 
-  static mimo_env_config config() {
+  // Refers to the options.
+  static mimo_env_config config(const RunOptions& options) {
     auto config = make_env_config();
     config.timing = 1;
+    config.task = options.task.empty() ? nullptr : options.task.c_str();
     return config;
   }
+  std::vector<float> next_action(RandomActions& random);
+  // Random movements go on when their episode is over: there is nothing that they were to reach.
+  bool whole_episode() const { return policy_ || options_.json; }
+  void print_report() const;
+  void print_json() const;
 
   const RunOptions& options_;
   mimo::Env env_;
@@ -54,13 +80,15 @@ class Run {
   std::vector<FieldStatistics> statistics_;
   std::optional<Wave> wave_;
   Table pictures_{2};
+  std::optional<Policy> policy_;
+  Episode episode_;
   std::size_t steps_ = 0;
-  double simulated_ = 0, wall_ = 0;
+  double simulated_ = 0, wall_ = 0, thought_ = 0;  // thought: in the policy, s
 };
 
 Run::Run(const RunOptions& options)
     : options_(options),
-      env_(open_world(options.world, config())),
+      env_(open_world(options.world, config(options))),
       block_(env_.make_block()),
       results_(env_.make_results()) {
   for (const mimo_field& field : env_.layout().fields()) statistics_.emplace_back(field);
@@ -68,7 +96,17 @@ Run::Run(const RunOptions& options)
     const std::string name = env_.agents()[0].name;
     wave_.emplace(env_.layout(), name.empty() ? "" : name + "/");
   }
+  if (!options.policy.empty()) policy_.emplace(options.policy).attach(env_);
   make_folder(options.out);
+}
+
+std::vector<float> Run::next_action(RandomActions& random) {
+  if (options_.spontaneous) return spontaneous_actions(env_);
+  if (!policy_) return random.draw();
+  const auto start = Clock::now();
+  const std::vector<float>& action = policy_->act(block_);
+  thought_ += seconds_since(start);
+  return action;
 }
 
 void Run::simulate() {
@@ -81,15 +119,16 @@ void Run::simulate() {
   {
     Progress progress(steps);
     do {
-      const auto action = actions.draw();
+      const auto action = next_action(actions);
       const auto start = Clock::now();
       env_.step(action, block_, results_);
       wall_ += seconds_since(start);
       simulated_ = static_cast<double>(++steps_) * dt;
       for (FieldStatistics& field : statistics_) field.add(block_);
       if (wave_) wave_->add(block_);
+      episode_.add(results_, simulated_);
       progress.show(steps_);
-    } while (steps_ < steps && !Interrupt::requested());
+    } while (steps_ < steps && !(whole_episode() && episode_.over()) && !Interrupt::requested());
   }
   save_pictures("", "at the end");
   if (wave_) wave_->write(options_.sound, options_.full_scale);
@@ -161,6 +200,22 @@ void Run::save_pictures(const std::string& prefix, const std::string& when) {
 }
 
 void Run::report() const {
+  if (options_.json) {
+    print_json();
+  } else {
+    print_report();
+  }
+}
+
+void Run::print_json() const {
+  nlohmann::ordered_json told = episode_.describe(env_, options_.world);
+  told["policy"] = policy_ ? nlohmann::ordered_json(options_.policy) : nlohmann::ordered_json();
+  if (policy_) told["policy_us"] = 1e6 * thought_ / static_cast<double>(steps_);
+  told["step_ms"] = 1000 * wall_ / static_cast<double>(steps_);
+  std::cout << told.dump(2) << '\n';
+}
+
+void Run::print_report() const {
   const double step_ms = 1000 * wall_ / static_cast<double>(steps_);
   if (Interrupt::requested()) std::cout << text("interrupted after %g of %g s\n", simulated_, options_.seconds);
   std::cout << text("%.2f s of scene %s simulated in %.2f s: %.2f x real time, %.3f ms a step\n", simulated_,
@@ -194,7 +249,8 @@ void Run::report() const {
 
 void add_run(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = program.add_subcommand("run", "Move at random with all senses on; write pictures and a report");
+  CLI::App* command = program.add_subcommand(
+      "run", "Move at random, by itself or as learned, with all senses on; write pictures and a\nreport");
   add_scene_options(*command, options->world);
   add_maturity_options(*command, options->world.age);
   add_actuation_option(*command, options->world);
@@ -211,6 +267,18 @@ void add_run(CLI::App& program) {
   add_senses_option(*command, options->world);
   add_own_senses_option(*command, options->world);
   add_parameter_option(*command, options->world);
+  command
+      ->add_option("--policy", options->policy,
+                   "Act as this policy does, until the episode is over; the default scene is\nthen the policy's")
+      ->type_name("FILE");
+  command
+      ->add_flag("--spontaneous", options->spontaneous, "Move as infants of that age do by themselves, not at random")
+      ->excludes("--policy");
+  command->add_option("--task", options->task, "Task in place of the scene's own")->type_name("NAME");
+  command->add_flag(
+      "--json", options->json,
+      "Print one JSON object in place of the report: reward, outcome, and what\nthe task measured, at the "
+      "episode's end");
   add_voice_option(*command, options->world);
   command
       ->add_option("--sound", options->sound,
@@ -234,8 +302,13 @@ void add_run(CLI::App& program) {
       "Examples:\n"
       "  mimo run\n"
       "  mimo run --seconds 2 --vision 512 --seed 7 --out pictures\n"
+      "  mimo run --policy reach.json --vision off --json\n"
       "  mimo run --scene my_room.xml --body mitten");
-  command->callback([options] {
+  command->callback([options, command] {
+    if (!options->policy.empty() && command->count("--scene") == 0) {
+      const std::string scene = Policy(options->policy).scene();
+      if (!scene.empty()) options->world.scene = scene;
+    }
     if (!options->sound.empty()) {
       require_writable(options->sound);
       options->world.hearing = true;

@@ -142,7 +142,9 @@ def test_version_and_scenes(root):
     assert mimo.__version__ == ".".join(numbers) + label
     assert mimo.mujoco_version() == "2.2.2"
     assert {"reach", "standup", "selfbody", "catch", "rollover", "free", "babybench-crib"} <= set(mimo.scenes())
-    assert {"none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard"} <= set(mimo.tasks())
+    assert {"none", "reach", "standup", "selfbody", "catch", "rollover", "selftouch", "handregard", "behaviour"} <= set(
+        mimo.tasks()
+    )
 
 
 def library_beside(tmp_path, mujoco, imports):

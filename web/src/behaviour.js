@@ -6,9 +6,12 @@ function numbers(text) {
   return new Float32Array(bytes.buffer);
 }
 
-/** The network of policy/reach.json. */
+/** A learned network, in the format of docs/guide/policies.md. */
 export class Policy {
   constructor(content) {
+    if (content.format !== "mimo-policy" || content.version !== 1) throw new Error("the policy is no mimo-policy of version 1");
+    this.stepSeconds = content.step_seconds ?? 0;
+    this.clip = content.clip ?? 10;
     this.fields = content.fields;
     this.names = content.actions;
     [this.mean, this.deviation] = [numbers(content.mean), numbers(content.deviation)];
@@ -20,6 +23,7 @@ export class Policy {
   fits({ layout }) {
     const shapes = new Map(layout.fields.map(({ name, shape }) => [name, shape.reduce((all, one) => all * one, 1)]));
     return (
+      (this.stepSeconds === 0 || Math.abs(this.stepSeconds - layout.stepSeconds) < 1e-9) &&
       this.fields.every(([name, count]) => shapes.get(name) === count) &&
       this.names.length === layout.actions.length &&
       layout.actions.every(({ name }, i) => name === this.names[i])
@@ -30,7 +34,7 @@ export class Policy {
     let at = 0;
     for (const [name] of this.fields) {
       for (const value of world.observation[name]) {
-        this.seen[at] = Math.max(-10, Math.min(10, (value - this.mean[at]) / this.deviation[at]));
+        this.seen[at] = Math.max(-this.clip, Math.min(this.clip, (value - this.mean[at]) / this.deviation[at]));
         at++;
       }
     }

@@ -41,6 +41,7 @@ from .layout import Action, Field, Layout, Observation, Receptors, Term
 from .maturity import Maturity
 from .own_sense import Sense
 from .own_task import Moment, WorldTask
+from .policy import Policy
 from .recorder import Recorder
 from .recordings import Recording, ReplayReport
 from .registration import register_when_imported
@@ -108,6 +109,7 @@ __all__ = [
     "NotFoundError",
     "Observation",
     "OutOfMemoryError",
+    "Policy",
     "Recorder",
     "Recording",
     "ReplayReport",

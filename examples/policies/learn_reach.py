@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""learn.py [--updates N] [--out FILE]: learns the policy with which the infant of the page reaches for the ball.
+"""learn_reach.py [--updates N] [--out FILE]: learns the policy with which the infant reaches for the ball (reach.json).
 
 PPO as in examples/python/single_file_ppo.py, on worlds whose infants have different ages, so that one network reaches
 with all bodies. The file has the mean and deviation of what the infant feels, the layers, and how well it reaches at
@@ -7,8 +7,6 @@ each age in episodes that were not learned from. Needs PyTorch; takes about ten 
 """
 
 import argparse
-import base64
-import json
 import sys
 from pathlib import Path
 
@@ -17,7 +15,7 @@ import torch
 
 import mimo
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "examples/python"))
+sys.path.append(str(Path(__file__).resolve().parents[1] / "python"))
 import single_file_ppo as ppo
 
 AGES = [6.0, 9.0, 12.0, 15.0, 18.0, 21.0, 24.0]
@@ -53,28 +51,16 @@ class Scale(ppo.Scale):
         return np.sqrt(np.maximum(self.square - self.mean**2, 1e-6))
 
 
-def packed(values):
-    return base64.b64encode(np.asarray(values, "<f4").tobytes()).decode()
-
-
-def write(path, agent, scale, envs, told):
-    single = mimo.World("reach")
-    fields = [[name, int(np.prod(field.shape))] for name, field in single.layout.fields.items()]
+def write(path, agent, scale, told):
     layers = [
-        {"rows": one.out_features, "weights": packed(one.weight.detach()), "bias": packed(one.bias.detach())}
+        (one.weight.detach().numpy(), one.bias.detach().numpy())
         for one in agent.mean
         if isinstance(one, torch.nn.Linear)
     ]
-    content = {
-        "what": "A policy for the scene reach: the mean action of a network of two layers of 64, tanh between them.",
-        "how": told,
-        "fields": fields,
-        "actions": list(single.action_names),
-        "mean": packed(scale.mean),
-        "deviation": packed(scale.deviation()),
-        "layers": layers,
-    }
-    path.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    what = "A policy for the scene reach: the mean action of a network of two layers of 64, tanh between them."
+    scales = (scale.mean, scale.deviation())
+    policy = mimo.Policy.of(mimo.World("reach"), layers, *scales, scene="reach", what=what, how=told)
+    policy.save(path)
 
 
 def main():
@@ -99,13 +85,13 @@ def main():
             success = measured(agent, scale)
             print(success, flush=True)
             told = {
-                "program": "web/policy/learn.py",
+                "program": "examples/policies/learn_reach.py",
                 "steps": update * WORLDS * ROLLOUT,
                 "ages": AGES,
                 "seed": SEED,
                 "success by age, without exploration, 4 episodes each": success,
             }
-            write(arguments.out, agent, scale, envs, told)
+            write(arguments.out, agent, scale, told)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,182 @@
+"""Learned policies in files: what they compute, what is refused, and that the program reads them alike."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mimo
+
+REACH = Path(__file__).resolve().parents[2] / "examples/policies/reach.json"
+
+
+def small(**others):
+    """Two numbers in, two rows between, one action."""
+    layers = [([[1, 0], [0, 2]], [0.5, 0]), ([[1, -1]], [0.25])]
+    return mimo.Policy([("a", 1), ("b", 1)], ["act:x"], layers, [1, 2], [2, 4], **others)
+
+
+def test_the_network_is_the_pages():
+    # By hand: (3 - 1) / 2 = 1 and (4 - 2) / 4 = 0.5; tanh(1.5) - tanh(1) + 0.25 = 0.39355; of -2..4 that is 2.18066.
+    action = small().act({"a": [3], "b": [4]}, [-2], [4])
+    value = np.tanh(1.5) - np.tanh(1) + 0.25
+    assert action.dtype == np.float32
+    assert action == pytest.approx([-2 + 6 * (value + 1) / 2], abs=1e-6)
+    assert small(clip=0.1).act({"a": [3], "b": [4]}, [-1], [1]) == pytest.approx([np.tanh(0.6) - np.tanh(0.2) + 0.25])
+
+
+def test_a_file_gives_the_same_policy(tmp_path):
+    small(scene="free", step_seconds=0.02, how={"seed": 1}).save(tmp_path / "small.json")
+    again = mimo.Policy.load(tmp_path / "small.json")
+    assert (again.scene, again.step_seconds, again.how) == ("free", 0.02, {"seed": 1})
+    seen = {"a": [0.3], "b": [7]}
+    assert np.array_equal(again.act(seen, [-1], [1]), small().act(seen, [-1], [1]))
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"mean": [1]}, r"mean has shape \(1,\)"),
+        ({"deviation": [1, 0]}, "not above 0"),
+        ({"mean": [1, np.nan]}, "no finite number"),
+        ({"layers": [([[1, 2, 3]], [0])]}, "layer 0"),
+        ({"actions": ["act:x", "act:y"]}, "expected 2, one for each action"),
+    ],
+)
+def test_what_does_not_fit_together_is_named(change, said):
+    parts = {
+        "fields": [("a", 1), ("b", 1)],
+        "actions": ["act:x"],
+        "layers": [([[1, 2]], [0])],
+        "mean": [0, 0],
+        "deviation": [1, 1],
+    }
+    with pytest.raises(ValueError, match=said):
+        mimo.Policy(**{**parts, **change})
+
+
+def test_other_files_are_refused(tmp_path):
+    (tmp_path / "other.json").write_text('{"format": "mimo-policy", "version": 2}')
+    with pytest.raises(ValueError, match="no mimo-policy of version 1"):
+        mimo.Policy.load(tmp_path / "other.json")
+
+
+def test_reach_reaches_and_is_small():
+    policy = mimo.Policy.load(REACH)
+    assert REACH.stat().st_size < 200_000
+    world = mimo.World(policy.scene)
+    policy.attach(world)
+    reached = 0
+    for seed in range(8):
+        world.reset(seed=seed)
+        while not (world.terminated or world.truncated):
+            world.step(policy.act(world.observation, world.action_low, world.action_high))
+        reached += bool(world.terminated)
+    assert reached >= 5  # random actions reach the ball in one of twenty episodes: docs/learning.md
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"body": "fingers"}, "field 'proprioception/position' has"),
+        ({"frame_skip": 4}, "steps of 0.01 s, the world's last 0.02 s"),
+        ({"proprioception": mimo.Proprioception.POSITION}, "no field 'proprioception/velocity'"),
+    ],
+)
+def test_another_layout_is_refused(options, said):
+    with pytest.raises(ValueError, match=said):
+        mimo.Policy.load(REACH).attach(mimo.World("reach", **options))
+
+
+# ---- The program --------------------------------------------------------------------------------------------------
+
+
+def program(folder, *arguments):
+    mimo_program = os.environ.get("MIMO_PROGRAM") or str(Path(mimo.library_path()).parent.parent / "bin/mimo")
+    if not Path(mimo_program).exists():
+        pytest.skip("the program mimo is not built")
+    quiet = ["--vision", "off", "--touch", "off", "--out", str(folder)]
+    return subprocess.run(
+        [mimo_program, "run", *quiet, *map(str, arguments)], capture_output=True, text=True, timeout=600
+    )
+
+
+def constant(world, path, value):
+    """A policy that gives one number whatever it sees."""
+    count = sum(int(np.prod(field.shape)) for field in world.layout.fields.values())
+    actions = len(world.action_names)
+    layer = (np.zeros((actions, count)), np.full(actions, value))
+    mimo.Policy.of(world, [layer], np.zeros(count), np.ones(count), scene="reach").save(path)
+
+
+def test_the_program_acts_as_the_file_says(tmp_path):
+    world = mimo.World("reach")
+    constant(world, tmp_path / "still.json", 0.5)
+    said = program(tmp_path, "--policy", tmp_path / "still.json", "--json", "--seed", 3)
+    assert said.returncode == 0, said.stderr
+    told = json.loads(said.stdout)
+    world.reset(seed=3)
+    total, steps, low, high = 0.0, 0, np.array(world.action_low), np.array(world.action_high)
+    while not (world.terminated or world.truncated):
+        world.step(low + 0.75 * (high - low))
+        total, steps = total + float(np.ravel(world.reward)[0]), steps + 1
+    assert told["scene"] == told["task"] == "reach"
+    assert told["steps"] == steps
+    assert told["over"]
+    assert told["reward"] == pytest.approx(total, rel=1e-6)
+    assert (told["outcome"] == "success") == bool(world.terminated)
+
+
+def test_the_program_reaches_and_says_how_fast_it_thinks(tmp_path):
+    told = [json.loads(program(tmp_path, "--policy", REACH, "--json", "--seed", seed).stdout) for seed in range(4)]
+    assert sum(one["outcome"] == "success" for one in told) >= 2
+    assert all(one["policy_us"] > 0 for one in told)
+    assert all(one["measure"] is None for one in told)  # reach measures what its own terms say
+
+
+def test_the_program_prints_what_a_behaviour_measures(tmp_path):
+    told = json.loads(program(tmp_path, "--scene", "sit", "--json", "--seconds", "0.1").stdout)
+    assert told["measure"]["name"] == "tilt upper_body z"
+    assert told["measure"]["unit"] == "deg"
+    assert told["measure"]["threshold"] == told["goal"][0]
+    assert told["measure"]["value"] == told["achieved"][0]
+    assert told["task"] == "behaviour"
+    assert told["outcome"] == "none"
+
+
+@pytest.mark.parametrize(
+    ("change", "arguments", "said"),
+    [
+        ({}, ["--body", "fingers"], 'field "proprioception/position" has'),
+        (
+            {},
+            ["--scene", "standup"],
+            'field "proprioception/control" has 27 numbers in this world, and 8 in the policy',
+        ),
+        ({"fields": [["proprioception/limit", 212 + 8]]}, [], 'field "proprioception/limit" has 47 numbers'),
+        ({"version": 2}, [], "its version is 2, and this program reads version 1"),
+        ({"format": "onnx"}, [], '"format" is not "mimo-policy"'),
+        ({"mean": "AAAA"}, [], '"mean" holds 3 bytes of base 64, expected'),
+        ({"mean": "!"}, [], '"mean" holds 0 bytes'),
+        ({"layers": []}, [], 'no list "layers"'),
+        ({"step_seconds": 0.02}, [], "steps of 0.02 s, and the world's last 0.01 s"),
+        ({"fields": [["proprioception/position", 10**9]]}, [], "a field's count is 1000000000"),
+    ],
+)
+def test_the_program_names_what_is_wrong(tmp_path, change, arguments, said):
+    content = {**json.loads(REACH.read_text()), **change}
+    (tmp_path / "policy.json").write_text(json.dumps(content))
+    refused = program(tmp_path, "--policy", tmp_path / "policy.json", "--json", *arguments)
+    assert refused.returncode == 1
+    assert said in refused.stderr
+    assert refused.stderr.count("\n") == 1
+
+
+def test_no_json_is_refused(tmp_path):
+    (tmp_path / "policy.json").write_text("reach!")
+    refused = program(tmp_path, "--policy", tmp_path / "policy.json")
+    assert refused.returncode == 1
+    assert "no JSON object" in refused.stderr
