@@ -1,5 +1,5 @@
-// What something costs that can be switched on: two worlds of the benchmark scene that go the same way, one of which
-// has it, are stepped in turns.
+// What something costs that can be switched on: two worlds of the benchmark scene (behaviours: of a scene that has one)
+// that go the same way, one of which has it, are stepped in turns.
 //
 //   bench_extras contacts [STEPS]   what touches what within a step is recorded (step_contacts); no senses
 //   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
@@ -13,6 +13,8 @@
 //   bench_extras recording [STEPS]  steps are recorded as usual: joints, proprioception, vestibular sense, a state a
 //                                   second
 //   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
+//   bench_extras behaviour [STEPS]  what the scene "sit" measures, against the same room without a task
+//   bench_extras spontaneous [STEPS]  an infant's spontaneous movements are asked for before each step
 #include <mimo/experimental.h>
 
 #include <chrono>
@@ -36,7 +38,20 @@ void check(mimo_status status) {
   std::exit(1);
 }
 
-enum class Extra { kContacts, kDelays, kEyes, kSkin, kCaresses, kReceptors, kReflexes, kHearing, kVoice, kRecording };
+enum class Extra {
+  kContacts,
+  kDelays,
+  kEyes,
+  kSkin,
+  kCaresses,
+  kReceptors,
+  kReflexes,
+  kHearing,
+  kVoice,
+  kRecording,
+  kBehaviour,
+  kSpontaneous
+};
 
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
@@ -63,7 +78,7 @@ void mature(mimo_scene* scene, Extra extra) {
 mimo_env* make(Extra extra, bool has, bool sees) {
   mimo_scene_config named;
   check(mimo_scene_config_init(&named, sizeof named));
-  named.name = "benchmark";
+  named.name = extra == Extra::kBehaviour ? "sit" : "benchmark";
   mimo_scene* scene = nullptr;
   check(mimo_scene_create(&named, &scene));
   mimo_agent_config agent;
@@ -89,6 +104,8 @@ mimo_env* make(Extra extra, bool has, bool sees) {
   mimo_env_config config;
   check(mimo_env_config_init(&config, sizeof config));
   config.step_contacts = has && extra == Extra::kContacts ? 1 : 0;
+  if (!has && extra == Extra::kBehaviour) config.task = "none";
+  if (extra == Extra::kBehaviour) check(mimo_scene_set_parameter(scene, "behaviour/pose_noise", 0));
   mimo_env* env = nullptr;
   check(mimo_env_create(scene, &config, &env));
   mimo_scene_destroy(scene);
@@ -104,9 +121,13 @@ std::vector<float> wish(std::size_t actions, int step) {
   return action;
 }
 
-// Without a block nothing is sensed.
-double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std::uint8_t>& block) {
+// Without a block nothing is sensed. What the infant would do by itself is asked for and not done, so that both worlds
+// go the same way.
+double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std::uint8_t>& block,
+               bool spontaneous = false) {
+  std::vector<float> own(action.size());
   const auto start = Clock::now();
+  if (spontaneous) check(mimo_env_spontaneous(env, 0, MIMO_MOVEMENT_ALL, own.data(), own.size()));
   check(
       mimo_env_step(env, action.data(), action.size(), block.empty() ? nullptr : block.data(), block.size(), nullptr));
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -116,16 +137,18 @@ double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std:
 
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "contacts";
-  const Extra extra = what == "eyes"        ? Extra::kEyes
-                      : what == "delays"    ? Extra::kDelays
-                      : what == "skin"      ? Extra::kSkin
-                      : what == "caresses"  ? Extra::kCaresses
-                      : what == "hearing"   ? Extra::kHearing
-                      : what == "voice"     ? Extra::kVoice
-                      : what == "receptors" ? Extra::kReceptors
-                      : what == "reflexes"  ? Extra::kReflexes
-                      : what == "recording" ? Extra::kRecording
-                                            : Extra::kContacts;
+  const Extra extra = what == "eyes"          ? Extra::kEyes
+                      : what == "delays"      ? Extra::kDelays
+                      : what == "skin"        ? Extra::kSkin
+                      : what == "caresses"    ? Extra::kCaresses
+                      : what == "hearing"     ? Extra::kHearing
+                      : what == "voice"       ? Extra::kVoice
+                      : what == "receptors"   ? Extra::kReceptors
+                      : what == "reflexes"    ? Extra::kReflexes
+                      : what == "recording"   ? Extra::kRecording
+                      : what == "behaviour"   ? Extra::kBehaviour
+                      : what == "spontaneous" ? Extra::kSpontaneous
+                                              : Extra::kContacts;
   const bool eyes = extra == Extra::kEyes;
   const int usual_steps = eyes ? 200 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
@@ -150,10 +173,11 @@ int main(int argc, char** argv) {
     const std::vector<float> action = wish(info.actions, step);
     std::vector<float> mute = action;
     if (extra == Extra::kVoice) mute.resize(action.size() - 4);  // a voice's actions are the last ones
+    const bool asks = extra == Extra::kSpontaneous;
     // Who goes second finds warm caches: they take turns at that, too.
-    if (step % 2 == 0) with.push_back(seconds(having, action, block));
+    if (step % 2 == 0) with.push_back(seconds(having, action, block, asks));
     without.push_back(seconds(usual, mute, block));
-    if (step % 2 != 0) with.push_back(seconds(having, action, block));
+    if (step % 2 != 0) with.push_back(seconds(having, action, block, asks));
     const double unit = blind == nullptr ? without.back() : seconds(blind, mute, block);
     shares.push_back((with.back() - without.back()) / unit);
   }

@@ -26,6 +26,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 PROGRAMS = HERE.parents[1] / "build" / "bin"
 KEPT = HERE / "ratios.json"
+REACH = HERE.parents[1] / "examples/policies/reach.json"
 ROUNDS = 3
 WORSE = 1.25
 # A share of a step that nobody would notice, and clocks hardly can: added to every limit.
@@ -58,6 +59,10 @@ VOICE = ["bench_extras", "voice", "1500"]
 HEARING = ["bench_extras", "hearing", "1500"]
 RECORDING = ["bench_extras", "recording", "1500"]
 RECEPTORS = ["bench_extras", "receptors", "1500"]
+BEHAVIOUR = ["bench_extras", "behaviour", "1500"]
+SPONTANEOUS = ["bench_extras", "spontaneous", "1500"]
+POLICY = ["mimo", "run", "--json", *("--policy", str(REACH)), *("--task", "none"), *("--vision", "off"),
+          *("--out", str(PROGRAMS.parent / "bench_policy"))]
 OWN_SENSE = ["bench_own_sense"]
 RING = ["bench_models", "ring"]
 
@@ -80,6 +85,10 @@ def threads_lost(result):
 
 def allocations(result):
     return result["allocations_per_step"] or 0  # null where they cannot be counted
+
+
+def policy(result):
+    return result["policy_us"] / (1e3 * result["step_ms"])
 
 
 def in_text(pattern):
@@ -130,6 +139,9 @@ RATIOS = [
     ("all receptors, over the step without eyes", RECEPTORS, in_text(r"(-?[\d.]+) of a step more")),
     ("recorded, over the step without eyes", RECORDING, in_text(r"(-?[\d.]+) of a step more")),
     ("reflexes, over the step without eyes", REFLEXES, in_text(r"(-?[\d.]+) of a step more")),
+    ("a behaviour's measures, over the step without eyes", BEHAVIOUR, in_text(r"(-?[\d.]+) of a step more")),
+    ("spontaneous movements, over the step without eyes", SPONTANEOUS, in_text(r"(-?[\d.]+) of a step more")),
+    ("a policy, over the step without eyes", POLICY, policy),
     ("a pendulum's step, over its bare physics", OWN_SENSE, in_text(r"without a sense ([\d.]+) times as long")),
     ("a user's empty sense, over that physics", OWN_SENSE, in_text(r"us more, (-?[\d.]+) of that physics")),
     ("muscles, over a physics step", MUSCLE, muscles("mitten", "MIMo")),
@@ -182,7 +194,7 @@ def measure(ratios):
     """The median of each ratio over some rounds. The bench programs take medians themselves: once is enough."""
     values = {name: [] for name, _, _ in ratios}
     for index in range(ROUNDS):
-        commands = {tuple(command) for _, command, _ in ratios if index == 0 or command[0] == "mimo-bench"}
+        commands = {tuple(command) for _, command, _ in ratios if index == 0 or "--json" in command}
         results = {command: run(command) for command in sorted(commands)}
         for name, command, read in ratios:
             if tuple(command) in results:
