@@ -113,11 +113,41 @@ static void check_agents_that_have_none(void) {
   mimo_env_destroy(env);
 }
 
+/* Where one of the agents has no such movements, nothing is written of the others either. */
+static void check_a_batch_with_one_that_has_none(void) {
+  enum { MOST = 512 };
+  mimo_scene* scene = scene_of("playdate", NULL);
+  mimo_agent_config infant;
+  mimo_batch* batch = NULL;
+  const mimo_layout* layout = NULL;
+  mimo_layout_info info = {.struct_size = sizeof info};
+  float actions[MOST];
+  size_t i;
+  CHECK_OK(mimo_scene_default_agent(scene, &infant, sizeof infant));
+  infant.touch = infant.vision = 0;
+  infant.name = "anna";
+  CHECK_OK(mimo_scene_add_agent(scene, &infant, NULL));
+  infant.name = "ben";
+  infant.actuation = MIMO_ACTUATION_MUSCLE;
+  CHECK_OK(mimo_scene_add_agent(scene, &infant, NULL));
+  CHECK_OK(mimo_batch_create(scene, NULL, SIZED(mimo_batch_config, .worlds = 2), &batch));
+  mimo_scene_destroy(scene);
+  CHECK_OK(mimo_batch_layout(batch, &layout));
+  CHECK_OK(mimo_layout_describe(layout, &info));
+  CHECK(2 * info.actions <= MOST);
+  for (i = 0; i < MOST; ++i) actions[i] = 7;
+  CHECK_FAILS(MIMO_E_UNSUPPORTED, "agent 1 is not moved by torques",
+              mimo_batch_spontaneous(batch, MIMO_MOVEMENT_ALL, actions, 2 * info.actions));
+  for (i = 0; i < MOST; ++i) CHECK(actions[i] == 7);
+  mimo_batch_destroy(batch);
+}
+
 int main(void) {
   check_a_built_in_behaviour();
   check_all_scenes();
   check_a_document_of_ones_own();
   check_spontaneous_movements();
   check_agents_that_have_none();
+  check_a_batch_with_one_that_has_none();
   return failures();
 }

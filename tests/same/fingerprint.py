@@ -27,7 +27,14 @@ SCENES = {
     "babybench-base": ["mitten"],
     "babybench-crib": ["mitten"],
     "babybench-cubes": ["fingers"],
+    "lift": ["fingers"],
 }
+MITTENS_BEHAVE = (
+    *("head-lift", "chest-lift", "roll-to-belly", "roll-to-back", "sit-with-hands", "sit", "sit-up", "hands-and-knees"),
+    *("crawl", "pull-to-stand", "stand-with-support", "stand", "cruise", "walk-with-help", "walk", "hand-to-mouth"),
+    *("hands-together", "foot-grasp", "reach-moving", "bang", "drop", "follow", "prefer", "mobile"),
+)
+SCENES.update((scene, ["mitten"]) for scene in MITTENS_BEHAVE)
 CONTROLS = {"mitten": "controls_v1.csv", "fingers": "controls_v2.csv"}
 
 
