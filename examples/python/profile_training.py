@@ -2,8 +2,9 @@
 
     python profile_training.py --task reach --algorithm ppo --library sbx --steps 8192
 
-Environment is all inside SB3VecEnv's steps, learner all inside the updates; the policy and what lies between is the
-rest. The first updates are not counted: in them compilers do their work.
+Environment is all inside SB3VecEnv's steps, and the library what of that is spent in the library: physics, senses and
+rewards of all worlds. Learner is all inside the updates; the policy and what lies between is the rest. The first
+updates are not counted: in them compilers do their work.
 """
 
 import tempfile
@@ -13,6 +14,7 @@ from pathlib import Path
 import torch
 import train
 
+import mimo.batch
 from mimo.sb3 import SB3VecEnv
 
 
@@ -44,6 +46,7 @@ def main():
         warm_up = options.rollout if options.algorithm == "ppo" else options.random_steps + 10 * options.worlds
         model.learn(warm_up)
         environment = Stopwatch(SB3VecEnv, "step_async", "step_wait")
+        library = Stopwatch(mimo.batch.LIB, "mimo_batch_send", "mimo_batch_receive", "mimo_batch_reset")
         learner = Stopwatch(model, "train")
         start = time.perf_counter()
         model.learn(options.steps, reset_num_timesteps=False)
@@ -53,6 +56,7 @@ def main():
     shares = {"environment": environment.seconds, "learner": learner.seconds}
     shares["policy and the rest"] = wall - sum(shares.values())
     print(f"{options.task} {options.algorithm}: {per_step:.3f} ms a step")
+    shares["the library, of the environment"] = library.seconds
     for name, seconds in shares.items():
         print(f"  {name}: {per_step * seconds / wall:.3f} ms, {100 * seconds / wall:.0f} %")
 

@@ -164,6 +164,7 @@ void describe(CLI::App& program) {
   add_actuation_option(program, options->world);
   add_vision_options(program, options->world);
   add_touch_option(program, options->world);
+  add_senses_option(program, options->world);
   add_own_senses_option(program, options->world);
   add_parameter_option(program, options->world);
   program.add_option("--steps", options->steps, "Steps to measure, of two physics steps (10 ms) each")

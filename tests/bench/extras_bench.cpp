@@ -5,6 +5,7 @@
 //   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels, in steps of a third world without eyes: what
 //                                   pictures take depends on how wide the processor's vectors are
+//   bench_extras newborn [STEPS]    both, in steps of the world without them, which has eyes of 256 pixels
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
 //   bench_extras caresses [STEPS]   C-tactile afferents of the skin alone
 //   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
@@ -42,6 +43,7 @@ enum class Extra {
   kContacts,
   kDelays,
   kEyes,
+  kNewborn,
   kSkin,
   kCaresses,
   kReceptors,
@@ -53,6 +55,8 @@ enum class Extra {
   kSpontaneous
 };
 
+bool is_maturity(Extra extra) { return extra == Extra::kDelays || extra == Extra::kEyes || extra == Extra::kNewborn; }
+
 bool is_receptors(Extra extra) { return extra == Extra::kSkin || extra == Extra::kReceptors; }
 
 // Eyes or nerves of a newborn; actions arrive at once, so that both worlds go the same way.
@@ -62,11 +66,12 @@ void mature(mimo_scene* scene, Extra extra) {
   check(mimo_maturity_at(0, &newborn, sizeof newborn));
   check(mimo_maturity_init(&perfect, sizeof perfect));
   check(mimo_limits_init(&prompt, sizeof prompt));
-  if (extra == Extra::kEyes) {
+  if (extra != Extra::kDelays) {
     perfect.acuity = newborn.acuity;
     perfect.peak_contrast = newborn.peak_contrast;
     perfect.chroma = newborn.chroma;
-  } else {
+  }
+  if (extra != Extra::kEyes) {
     perfect.conduction_speed = newborn.conduction_speed;
     perfect.sensory_delay = newborn.sensory_delay;
     perfect.vestibular_delay = newborn.vestibular_delay;
@@ -100,7 +105,7 @@ mimo_env* make(Extra extra, bool has, bool sees) {
   // Withdrawal stays; nothing touches the infant but the floor, so that both worlds go the same way.
   if (has && extra == Extra::kReflexes) agent.reflexes = MIMO_REFLEX_ALL;
   check(mimo_scene_add_agent(scene, &agent, nullptr));
-  if (has && (extra == Extra::kDelays || extra == Extra::kEyes)) mature(scene, extra);
+  if (has && is_maturity(extra)) mature(scene, extra);
   mimo_env_config config;
   check(mimo_env_config_init(&config, sizeof config));
   config.step_contacts = has && extra == Extra::kContacts ? 1 : 0;
@@ -139,6 +144,7 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "contacts";
   const Extra extra = what == "eyes"          ? Extra::kEyes
                       : what == "delays"      ? Extra::kDelays
+                      : what == "newborn"     ? Extra::kNewborn
                       : what == "skin"        ? Extra::kSkin
                       : what == "caresses"    ? Extra::kCaresses
                       : what == "hearing"     ? Extra::kHearing
@@ -149,11 +155,11 @@ int main(int argc, char** argv) {
                       : what == "behaviour"   ? Extra::kBehaviour
                       : what == "spontaneous" ? Extra::kSpontaneous
                                               : Extra::kContacts;
-  const bool eyes = extra == Extra::kEyes;
+  const bool eyes = extra == Extra::kEyes || extra == Extra::kNewborn;
   const int usual_steps = eyes ? 200 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
   mimo_env *const having = make(extra, true, eyes), *const usual = make(extra, false, eyes);
-  mimo_env* const blind = eyes ? make(extra, false, false) : nullptr;
+  mimo_env* const blind = extra == Extra::kEyes ? make(extra, false, false) : nullptr;
   const mimo_layout* layout = nullptr;
   mimo_layout_info info{};
   info.struct_size = sizeof info;

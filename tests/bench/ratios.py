@@ -41,6 +41,10 @@ BLIND = bench("--vision", "off", "--steps", "800")
 NUMB = bench("--vision", "off", "--touch", "off", "--steps", "800")
 SMALL = bench("--vision", "64", "--steps", "400")
 USUAL = bench("--vision", "256", "--steps", "200")
+LARGE = bench("--vision", "512", "--steps", "100")
+EVERY_SENSE = bench("--vision", "64", "--senses", "all", "--steps", "400")
+FINGERS_USUAL = bench("--body", "fingers", "--vision", "256", "--steps", "200")
+MUJOCO_4 = ["../../build-mujoco4/bin/mimo-bench", *BLIND[1:]]
 FINGERS = bench("--body", "fingers", "--vision", "off", "--steps", "200")
 MUSCLES = bench("--vision", "off", "--actuation", "muscle", "--steps", "100")
 THREADS = bench("--vision", "off", "--worlds", "2", "--threads", "2", "--steps", "200")
@@ -52,6 +56,7 @@ MAKING = ["bench_making", "benchmark"]
 CONTACTS = ["bench_extras", "contacts"]
 DELAYS = ["bench_extras", "delays", "1500"]
 EYES = ["bench_extras", "eyes"]
+NEWBORN = ["bench_extras", "newborn"]
 SKIN = ["bench_extras", "skin", "1500"]
 CARESSES = ["bench_extras", "caresses", "1500"]
 REFLEXES = ["bench_extras", "reflexes", "1500"]
@@ -75,6 +80,11 @@ def reference_steps(result):
     return result["median"]["ms_per_step"] * 1e3 / result["median"]["reference_us"]
 
 
+def on_mujoco_4(result):
+    """There is no reference step for it: that of a run directly after it counts."""
+    return result["median"]["ms_per_step"] * 1e3 / run(BLIND)["median"]["reference_us"]
+
+
 def share(*parts):
     return lambda result: sum(result["split_ms"][part] for part in parts) / result["split_ms"]["physics"]
 
@@ -91,14 +101,14 @@ def policy(result):
     return result["policy_us"] / (1e3 * result["step_ms"])
 
 
-def in_text(pattern):
-    """What a bench program printed in the pattern's group, or in its first group over the second."""
+def in_text(pattern, unit=1):
+    """What a bench program printed in the pattern's group, in that unit, or in its first group over the second."""
     def read(text):
         found = re.search(pattern, text)
         if not found:
             sys.exit(f"ratios: no '{pattern}' in:\n{text}")
         numbers = [float(group) for group in found.groups()]
-        return numbers[0] if len(numbers) == 1 else numbers[0] / numbers[1]
+        return numbers[0] / unit if len(numbers) == 1 else numbers[0] / numbers[1]
     return read
 
 
@@ -124,14 +134,19 @@ RATIOS = [
     ("step without eyes, reference steps", BLIND, reference_steps),
     ("step at V64, reference steps", SMALL, reference_steps),  # depends on the processor
     ("step at V256, reference steps", USUAL, reference_steps),  # depends on the processor
+    ("step at V512, reference steps", LARGE, reference_steps),  # depends on the processor
+    ("every sense at V64, reference steps", EVERY_SENSE, reference_steps),  # depends on the processor
+    ("step without eyes on MuJoCo 4, reference steps", MUJOCO_4, on_mujoco_4),
     ("five fingers without eyes, over bare physics", FINGERS, step_vs_raw),
     ("five fingers without eyes, reference steps", FINGERS, reference_steps),
+    ("five fingers at V256, reference steps", FINGERS_USUAL, reference_steps),  # depends on the processor
     ("touch, reference steps", TOUCH, touch(1)),
     ("touch at twice the density, reference steps", TOUCH, touch(2)),
     ("other senses and the rest, over physics", BLIND, share("proprioception", "vestibular", "other")),
     ("contacts of a step recorded, over the step", CONTACTS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's nerves, over the step without eyes", DELAYS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's eyes, over the step without eyes", EYES, in_text(r"(-?[\d.]+) of a step more")),
+    ("a newborn's eyes and nerves, over the step at V256", NEWBORN, in_text(r"(-?[\d.]+) of a step more")),
     ("receptors of skin, over the step without eyes", SKIN, in_text(r"(-?[\d.]+) of a step more")),
     ("caresses of skin, over the step without eyes", CARESSES, in_text(r"(-?[\d.]+) of a step more")),
     ("hearing, over the step without eyes", HEARING, in_text(r"(-?[\d.]+) of a step more")),
@@ -153,6 +168,7 @@ RATIOS = [
     ("20,736 triangles at 0.50 m, over the picture without", RING, ring(0.50)),  # depends on the processor
     ("20,736 triangles at 0.80 m, over the picture without", RING, ring(0.80)),  # depends on the processor
     ("batch on a thread, over its worlds one by one", WORLDS, in_text(r"a batch takes ([\d.]+)")),
+    ("a further world of a batch, MB", WORLDS, in_text(r"a further world takes (\d+) kB", 1000)),
     ("making a world, in physics steps", MAKING, in_text(r"making takes [\d.]+ ms \(([\d.]+) steps\)")),
     ("a clone, in physics steps", MAKING, in_text(r"a clone [\d.]+ ms \(([\d.]+) steps\)")),
     ("two threads, bare physics' scaling over ours", THREADS, threads_lost),
@@ -176,10 +192,14 @@ def idle_cores():
 
 def measurable():
     """Threads that wait for each other every half millisecond show nothing but who else is running, if anybody is."""
-    if idle_cores() > 1.8:
-        return RATIOS
-    print("no two cores are idle: the ratio of two threads is left out")
-    return [ratio for ratio in RATIOS if ratio[2] is not threads_lost]
+    left_out = []
+    if idle_cores() <= 1.8:
+        print("no two cores are idle: the ratio of two threads is left out")
+        left_out += [ratio for ratio in RATIOS if ratio[2] is threads_lost]
+    if not (PROGRAMS / MUJOCO_4[0]).exists():
+        print("./dev test --mujoco4 was not run: the ratio on MuJoCo 4 is left out")
+        left_out += [ratio for ratio in RATIOS if ratio[1] is MUJOCO_4]
+    return [ratio for ratio in RATIOS if ratio not in left_out]
 
 
 def run(command, **environment):
@@ -194,7 +214,7 @@ def measure(ratios):
     """The median of each ratio over some rounds. The bench programs take medians themselves: once is enough."""
     values = {name: [] for name, _, _ in ratios}
     for index in range(ROUNDS):
-        commands = {tuple(command) for _, command, _ in ratios if index == 0 or "--json" in command}
+        commands = {tuple(command) for _, command, _ in ratios if index == 0 or command[0].endswith("mimo-bench")}
         results = {command: run(command) for command in sorted(commands)}
         for name, command, read in ratios:
             if tuple(command) in results:
@@ -232,7 +252,7 @@ def main():
     measured = measure(measurable())
     if sys.argv[1:] == ["--write"]:
         if len(measured) < len(RATIOS):
-            sys.exit("ratios: only what was measured on an idle machine is worth keeping")
+            sys.exit("ratios: only what was measured on an idle machine, with MuJoCo 4, is worth keeping")
         write(measured)
     stored = json.loads(KEPT.read_text())
     kept = stored["ratios"]

@@ -10,6 +10,8 @@
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <mimo/mimo.hpp>
+#include <random>
 #include <vector>
 
 #include "batch/batch.h"
@@ -61,16 +63,37 @@ struct Moved {
   std::vector<float> actions;
 };
 
+// A batch as users make it, after a second of random play.
+mimo::Batch played(const char* scene, std::size_t worlds, mimo::Block& blocks) {
+  mimo_scene_config named = mimo::scene_config();
+  named.name = scene;
+  mimo::Scene made(named);
+  mimo_agent_config agent = made.default_agent();
+  agent.vision = 0;
+  made.add_agents(&agent);
+  mimo::Batch batch(made, worlds);
+  blocks = batch.make_blocks();
+  batch.reset({}, blocks);
+  std::mt19937 random;
+  std::vector<float> actions(worlds * batch.layout().info().actions);
+  for (int step = 0; step < 100; ++step) {
+    for (float& action : actions) action = static_cast<float>(random()) / 2147483648.0F - 1;
+    batch.step(actions, blocks);
+  }
+  return batch;
+}
+
 void bench_memory(const char* scene) {
   constexpr std::size_t kFew = 8, kMore = 64;
-  const env::CompiledWorld compiled = compiled_of(scene);
-  const Moved few(compiled, kFew);
+  mimo::Block of_few, of_more;
+  const mimo::Batch few = played(scene, kFew, of_few);
   const double before = resident_kb();
-  const Moved more(compiled, kMore);
+  const mimo::Batch more = played(scene, kMore, of_more);
   const double of_one = (resident_kb() - before) / kMore;
-  const env::World& world = few.batch.world(0);
+  const Moved one(compiled_of(scene), 1);
+  const env::World& world = one.batch.world(0);
   const double data = (static_cast<double>(sizeof(mjData)) + world.data().nbuffer + 8.0 * world.data().nstack) / 1024;
-  const double block = static_cast<double>(world.layout().bytes()) / 1024;
+  const double block = static_cast<double>(of_more.bytes()) / kMore / 1024;
   std::printf(
       "%s: a further world takes %.0f kB; its mjData has %.0f without the Jacobian, its block %.0f: %.2f x that "
       "mjData beyond the block\n",
