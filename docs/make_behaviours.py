@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the table of behaviours in docs/tasks.md out of what their scenes' documents say.
+"""Writes what scenes say of behaviours: the table in docs/tasks.md, the pictures in docs/guide/behaviours.md.
 
-make_behaviours.py PROGRAM writes it, from `PROGRAM info --tasks --json`; with --check behind that nothing is written:
-fails where the page differs.
+make_behaviours.py PROGRAM writes both, from `PROGRAM info --tasks --json`; with --check behind that nothing is written:
+fails where a page differs. docs/images/make_behaviours.py draws the pictures.
 """
 
 import json
@@ -11,8 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-PAGE = Path(__file__).resolve().parent / "tasks.md"
-BEGIN, END = "<!-- table of behaviours, by docs/make_behaviours.py -->\n", "<!-- end -->"
+DOCS = Path(__file__).resolve().parent
+BLOCK = re.compile(r"(<!-- [a-z]+ of behaviours, by docs/make_behaviours\.py -->\n).*?(<!-- end -->)", re.DOTALL)
 HEADS = ("scene", "the infant", "measure", "reached", "and", "months", "which; source")
 
 
@@ -48,6 +48,24 @@ def table(behaviours):
     return "".join(f"| {' | '.join(cells)} |\n" for cells in rows)
 
 
+def pictures(behaviours):
+    shown = (
+        f"`{it['scene']}`: {it['about']}. Reached: `{it['measure']}` {reached(it)}.\n\n"
+        f"![{it['scene']}](../images/behaviours/{it['scene']}.png)\n"
+        for it in behaviours
+    )
+    return "\n".join(shown)
+
+
+def renewed(page, text):
+    """The page with the text in the place that it has for it."""
+    written = page.read_text(encoding="utf-8")
+    found, count = BLOCK.subn(lambda block: f"{block[1]}\n{text}\n{block[2]}", written)
+    if count != 1:
+        sys.exit(f"{page} has {count} places for behaviours, expected one")
+    return found
+
+
 def main():
     arguments = sys.argv[1:]
     check = arguments[1:] == ["--check"]
@@ -57,15 +75,12 @@ def main():
         [arguments[0], "info", "--tasks", "--json"], check=True, capture_output=True, text=True
     ).stdout
     behaviours = [it for it in json.loads(said) if it["measure"] is not None]
-    page = PAGE.read_text(encoding="utf-8")
-    text = BEGIN + "\n" + table(behaviours) + "\n" + END
-    renewed, count = re.subn(re.escape(BEGIN) + ".*?" + re.escape(END), lambda _: text, page, flags=re.DOTALL)
-    if count != 1:
-        sys.exit(f"{PAGE} has {count} places for the table, expected one")
-    if check and renewed != page:
-        sys.exit(f"{PAGE} differs from what the scenes say; run docs/make_behaviours.py")
-    if not check:
-        PAGE.write_text(renewed, encoding="utf-8")
+    for page, text in ((DOCS / "tasks.md", table(behaviours)), (DOCS / "guide/behaviours.md", pictures(behaviours))):
+        new = renewed(page, text)
+        if check and new != page.read_text(encoding="utf-8"):
+            sys.exit(f"{page} differs from what the scenes say; run docs/make_behaviours.py")
+        if not check:
+            page.write_text(new, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -98,3 +98,46 @@ def test_legs_move_like_infants_legs(age):
     assert 0.23 <= duration <= 0.33
     assert 1.59 <= mean <= 3.88
     assert 3.10 <= peak <= 8.83
+
+
+# A hand that touches the body other than its own arm, the ground, and moves; as often as either hand, by a document.
+HANDS = """
+<mujoco>
+  <include file="mimo/parts/room.xml"/>
+  <custom>
+    <numeric name="mimo:place" data="0 0 0.0635 0.7071067811865476 0 -0.7071067811865476 0"/>
+    <text name="mimo:infant" data="parts/rollover_infant.xml"/>
+    <text name="mimo:task" data="behaviour"/>
+    <numeric name="mimo:frame_skip" data="2"/>
+    <text name="mimo:behaviour" data="touches itself"/>
+    <text name="mimo:reached" data="
+      times (contacts left_hand body-left_hand-left_lower_arm at least 1 parts) at least 1000 times;
+      times (contacts right_hand body-right_hand-right_lower_arm at least 1 parts) at least 1000 times;
+      share (speed left_hand at least 0.05 m/s) at least 1;
+      share (speed right_hand at least 0.05 m/s) at least 1"/>
+    <numeric name="mimo:episode_seconds" data="300"/>
+    <text name="mimo:norm_source" data="not found"/>
+  </custom>
+</mujoco>
+"""
+
+
+@pytest.mark.parametrize("age", [0.75, 2, 3])
+def test_hands_touch_the_body_as_often_as_infants_hands(age):
+    """DiMercurio et al. 2018, supine, from 3 weeks on: at most 200 touches in 5 minutes; moving half of the time."""
+    counts = {}
+    for kind in ("spontaneous", "random"):
+        scene = mimo.Scene(xml=HANDS)
+        scene.add_agent(age=age, touch=0)
+        world = mimo.World(scene)
+        world.reset(seed=1)
+        random = np.random.default_rng(1)
+        for _ in range(6000):  # a minute
+            world.step(
+                world.spontaneous() if kind == "spontaneous" else random.uniform(world.action_low, world.action_high)
+            )
+        *counts[kind], left, right = world.get(mimo.Quantity.AGENT_ACHIEVED, [0]).ravel()[:4]
+        if kind == "spontaneous":
+            assert 0.35 <= (left + right) / 2 <= 0.65
+    assert 5 <= sum(counts["spontaneous"]) <= 200 / 5
+    assert sum(counts["random"]) > 2 * 200 / 5  # which no infant does
