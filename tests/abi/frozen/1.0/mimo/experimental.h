@@ -15,6 +15,8 @@
  *     stage.h        pictures of what plain arrays describe, without a simulation
  *     recording.h    runs recorded to files and replayed
  *     sense.h        senses of your own
+ *     spontaneous.h  spontaneous movements: what motors do before an infant wants anything
+ *     behaviour.h    behaviours that documents measure, and the ages at which infants show them
  */
 #ifndef MIMO_EXPERIMENTAL_H
 #define MIMO_EXPERIMENTAL_H
@@ -34,6 +36,8 @@
 #include "experimental/stage.h"
 #include "experimental/recording.h"
 #include "experimental/sense.h"
+#include "experimental/spontaneous.h"
+#include "experimental/behaviour.h"
 /* clang-format on */
 
 #endif
