@@ -131,6 +131,7 @@ double visit(const mjData& data, const Blocks& blocks, const double* violation, 
 
 }  // namespace
 
+MIMO_ALSO_FOR_AVX2
 Blocks gather_blocks(mjData& data) {
   if (data.nefc == 0) return {0, nullptr};
   const int last = data.nefc - 1;
@@ -159,6 +160,7 @@ Blocks gather_blocks(mjData& data) {
   return {count, blocks};
 }
 
+MIMO_ALSO_FOR_AVX2
 void multiply(const Blocks& blocks, const double* vector, double* product) {
   for (int i = 0; i < blocks.count; ++i) {
     const Block& block = blocks.all[i];
@@ -171,6 +173,7 @@ void multiply(const Blocks& blocks, const double* vector, double* product) {
   }
 }
 
+MIMO_ALSO_FOR_AVX2
 void multiply_transposed(const Blocks& blocks, const double* vector, int size, double* product) {
   std::fill_n(product, size, 0.0);
   for (int i = 0; i < blocks.count; ++i) {
@@ -189,6 +192,7 @@ double cost_of(const mjData& data, const Blocks& blocks, const double* violation
   return visit(data, blocks, violation, [](int, mjtConstraintState, double) {});
 }
 
+MIMO_ALSO_FOR_AVX2
 double update_states(mjData& data, const Blocks& blocks, const double* violation) {
   return visit(data, blocks, violation, [&](int row, mjtConstraintState state, double force) {
     data.efc_state[row] = state;

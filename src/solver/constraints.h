@@ -8,6 +8,16 @@
 
 #include "compat/mujoco.h"
 
+// Functions with this are compiled twice, with everything that they call: for any processor and for one with AVX2,
+// which the loader chooses by itself. Operations and their order stay the same, and so do the bytes. Only GNU's loader
+// and compiler can; sanitizers have not started yet when the loader asks.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define MIMO_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default"), flatten))
+#else
+#define MIMO_ALSO_FOR_AVX2
+#endif
+
 namespace mimo::solver {
 
 // Room on mjData's own stack, as MuJoCo's solvers take it: too little is MuJoCo's error.

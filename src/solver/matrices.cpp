@@ -135,6 +135,7 @@ void damp(const mjModel& model, mjData& data, double* accelerations) {
 
 }  // namespace
 
+MIMO_ALSO_FOR_AVX2
 void update_inertia(const mjModel& model, mjData& data) {
   sum_inertias(model, data);
   fill_matrix(model, data);
@@ -142,6 +143,7 @@ void update_inertia(const mjModel& model, mjData& data) {
   factorize(model, data, data.qLD, data.qLDiagInv);
 }
 
+MIMO_ALSO_FOR_AVX2
 void integrate(const mjModel& model, mjData& data) {
   const compat::StackMark stack = compat::mark_stack(data);
   double* accelerations = take<double>(data, model.nv);
@@ -391,6 +393,7 @@ void go_halfway(const Hessian& hessian, const mjData& data, const Blocks& blocks
 
 }  // namespace
 
+MIMO_ALSO_FOR_AVX2
 Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   const int size = model.nv;
   int* starts = take<int>(data, size);
@@ -424,6 +427,7 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   return hessian;
 }
 
+MIMO_ALSO_FOR_AVX2
 void multiply_inertia(const Hessian& hessian, const double* vector, double* product) {
   for (int row = 0; row < hessian.size; ++row) {
     const int diagonal = hessian.ends[row] - 1;
@@ -445,6 +449,7 @@ void multiply_inertia(const Hessian& hessian, const double* vector, double* prod
   }
 }
 
+MIMO_ALSO_FOR_AVX2
 void factorize(Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation) {
   if (quiet_changed(hessian, data, blocks)) go_halfway(hessian, data, blocks);
   std::copy_n(hessian.halfway, hessian.entries, hessian.values);
@@ -454,6 +459,7 @@ void factorize(Hessian& hessian, const mjData& data, const Blocks& blocks, const
   eliminate(hessian, false, hessian.values);
 }
 
+MIMO_ALSO_FOR_AVX2
 void solve(const Hessian& hessian, double* vector) {
   for (int row = hessian.size - 1; row >= 0; --row) {
     const double value = vector[row];

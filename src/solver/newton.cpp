@@ -292,6 +292,7 @@ void begin_step(const mjModel& model, mjData& data) {
 // The slope grows along the line, so a place where it is negative and one where it is positive hold the least between
 // them. Newton's steps lead there. Halves are taken where such a step leads out, and where steps do not get shorter
 // quickly: the slope of a cone is shaped like an S, and they can bounce from one end of it to the other for ever.
+MIMO_ALSO_FOR_AVX2
 double find_least(mjData& data, const Line& line, double tolerance) {
   const compat::StackMark stack = compat::mark_stack(data);
   const Terms terms = prepare(data, line);
