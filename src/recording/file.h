@@ -75,7 +75,7 @@ class Writer {
   void append(Table& table, Span<const std::uint8_t> row);
   void write_waiting(Table& table);
   hdf5::Handle make_dataset(const std::string& name, hdf5::Id type, const hdf5::Handle& space,
-                            const std::vector<hdf5::Size>& chunk) const;
+                            const std::vector<hdf5::Size>& chunk, unsigned compression) const;
   int descriptor() const;  // of the system; negative where there is none
 
   const hdf5::Library& h5_;

@@ -12,7 +12,7 @@
 //   bench_extras voice [STEPS]      the same with a voice that speaks, against ears without one
 //   bench_extras receptors [STEPS]  all that nerves of skin, labyrinth, muscles and joints tell
 //   bench_extras recording [STEPS]  steps are recorded as usual: joints, proprioception, vestibular sense, a state a
-//                                   second
+//                                   second; thousands of steps, as most of them only wait for the one that writes
 //   bench_extras reflexes [STEPS]   all reflexes of a newborn that mittens allow, but at 18 months: they move nothing
 //   bench_extras behaviour [STEPS]  what the scene "sit" measures, against the same room without a task
 //   bench_extras spontaneous [STEPS]  an infant's spontaneous movements are asked for before each step
@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -126,6 +127,21 @@ std::vector<float> wish(std::size_t actions, int step) {
   return action;
 }
 
+// Of so many steps each: within them every table of a recording is written once or more.
+constexpr std::size_t kWritten = 1024;
+
+std::vector<double> shares_of_sums(const std::vector<double>& with, const std::vector<double>& without) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i + kWritten <= with.size(); i += kWritten) {
+    const auto sum = [i](const std::vector<double>& times) {
+      const auto first = times.begin() + static_cast<std::ptrdiff_t>(i);
+      return std::accumulate(first, first + kWritten, 0.0);
+    };
+    shares.push_back(sum(with) / sum(without) - 1);
+  }
+  return shares;
+}
+
 // Without a block nothing is sensed. What the infant would do by itself is asked for and not done, so that both worlds
 // go the same way.
 double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std::uint8_t>& block,
@@ -156,7 +172,7 @@ int main(int argc, char** argv) {
                       : what == "spontaneous" ? Extra::kSpontaneous
                                               : Extra::kContacts;
   const bool eyes = extra == Extra::kEyes || extra == Extra::kNewborn;
-  const int usual_steps = eyes ? 200 : 4000;
+  const int usual_steps = eyes ? 200 : extra == Extra::kRecording ? 9216 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
   mimo_env *const having = make(extra, true, eyes), *const usual = make(extra, false, eyes);
   mimo_env* const blind = extra == Extra::kEyes ? make(extra, false, false) : nullptr;
@@ -187,6 +203,7 @@ int main(int argc, char** argv) {
     const double unit = blind == nullptr ? without.back() : seconds(blind, mute, block);
     shares.push_back((with.back() - without.back()) / unit);
   }
+  if (extra == Extra::kRecording) shares = shares_of_sums(with, without);
   std::printf("a step takes %.1f us, with %s %.1f us: %.4f of a step more (median)\n", median(without) * 1e6,
               what.c_str(), median(with) * 1e6, median(shares));
   check(mimo_recorder_close(recorder));
