@@ -83,10 +83,11 @@ mimo::Scene load_scene(const WorldOptions& options) {
 
 namespace {
 
-// Only the compiled model knows: the body may come from an include.
+// Only the compiled model knows: the body may come from an include. The file's task may need infants that it lacks.
 mimo::Env bare_file(const WorldOptions& options) {
   auto config = mimo::env_config();
   config.renderer = "none";
+  config.task = "none";
   return mimo::Env(load_scene(options), config);
 }
 

@@ -13,8 +13,12 @@ namespace {
 using Words = std::vector<std::string>;
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
-  fail(Status::kModel, "{}: \"{}\": {}", names::kReached, text, why);
+  constexpr std::size_t kShown = 200;
+  const std::string shown = text.size() > kShown ? text.substr(0, kShown) + "..." : text;
+  fail(Status::kModel, "{}: \"{}\": {}", names::kReached, shown, why);
 }
+
+constexpr int kDeepest = 16;  // parentheses within each other; quantities are made by recursion
 
 // Parts between separators that stand in no parentheses.
 template <typename Separates>
@@ -24,6 +28,7 @@ Words split(const std::string& text, Separates&& separates) {
   for (const char c : text) {
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
     if (depth < 0) refuse(text, "a \")\" closes nothing");
+    if (depth > kDeepest) refuse(text, format("more than {} parentheses are open", kDeepest));
     if (depth == 0 && separates(c)) {
       parts.emplace_back();
     } else {

@@ -63,5 +63,17 @@ TEST(Clauses, WhatIsNotUnderstoodIsNamed) {
   }
 }
 
+TEST(Clauses, ParenthesesAreNotNestedWithoutEnd) {
+  const auto nested = [](std::size_t depth) {
+    std::string text;
+    for (std::size_t i = 0; i < depth; ++i) text += "change (";
+    return text + "height head" + std::string(depth, ')') + " at least 1 m";
+  };
+  EXPECT_EQ(refusal(nested(16)), "taken");
+  const std::string said = refusal(nested(100000));
+  EXPECT_NE(said.find("more than 16 parentheses are open"), std::string::npos);
+  EXPECT_LT(said.size(), 300u) << "a message has an end";
+}
+
 }  // namespace
 }  // namespace mimo::tasks
