@@ -152,7 +152,8 @@ void DrawOneTile(const Grid& grid, int tile_row, int tile_column, Tile& tile) {
   if (plain) WriteColor(grid, tile_row, tile_column, color);
   if (plain && !shapes) return;
   StartTile(frame.solids, tile);
-  for (int k = 0; k < frame.camera.count; ++k) {
+  for (int i = 0; i < tile.row->count; ++i) {
+    const int k = (*tile.row)[i];
     if (!frame.solids[frame.camera.aspects[k].solid].transparent) Meet(frame.solids, frame.camera, k, tile);
   }
   if (grid.rgb != nullptr && !plain) {
@@ -184,6 +185,9 @@ void DrawRow(const Grid& grid, int row) {
   tile.dy = grid.dy;
   tile.parallel = grid.frame->camera.rays == Rays::kParallel;
   for (int k = 0; k < kTile; ++k) tile.y[k] = grid.y + static_cast<float>(row * kTile + k) * grid.dy;
+  Touching touching;
+  FindTouching(grid.frame->camera, tile, touching);
+  tile.row = &touching;
   for (int column = 0; column < grid.tile_columns(); ++column) {
     const int place = column % tiles;
     if (place == 0) strip.start({x(column * kTile), tile.y[0], tiles * kTile});

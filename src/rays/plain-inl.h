@@ -28,7 +28,8 @@ constexpr int kSeveral = -2;
 // The one aspect that a tile may show.
 inline int OnlyAspect(const Camera& camera, const Tile& tile) {
   int only = kNone;
-  for (int k = 0; k < camera.count; ++k) {
+  for (int i = 0; i < tile.row->count; ++i) {
+    const int k = (*tile.row)[i];
     if (IsEmpty(WindowOf(camera.aspects[k], tile))) continue;
     if (only != kNone) return kSeveral;
     only = k;

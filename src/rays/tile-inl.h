@@ -104,11 +104,14 @@ void Cast(const Solids& solids, const Eye& eye, int index, const Tile& tile, con
 
 // Forgets what the rays have met.
 inline void StartTile(const Solids& solids, Tile& tile) {
-  std::fill_n(tile.t, kRays, kMiss);
-  std::fill_n(tile.id, kRays, -1);
+  const auto fill = [](const auto& d, auto value, auto* to) {
+    for (int i = 0; i < kRays; i += static_cast<int>(hn::Lanes(d))) hn::Store(hn::Set(d, value), d, to + i);
+  };
+  fill(D(), kMiss, tile.t);
+  fill(DI(), -1, tile.id);
   if (!solids.meshes()) return;
-  std::fill_n(tile.face, kRays, 0);
-  std::fill_n(tile.away, kRays, 0);
+  fill(DI(), 0, tile.face);
+  fill(DI(), 0, tile.away);
 }
 
 // Where the rays of a tile meet the solid that one of the camera's aspects shows.

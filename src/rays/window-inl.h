@@ -19,11 +19,13 @@ namespace mimo::rays {
 namespace HWY_NAMESPACE {
 
 struct Strip;
+struct Touching;
 
 // The rays of one tile and what they meet.
 struct Tile {
   Strip* strip;                // the tiles side by side that it is one of
   int place;                   // of its first column in that
+  const Touching* row;         // what its row of tiles may touch
   alignas(64) float x[kTile];  // slopes
   alignas(64) float y[kTile];
   float dx, dy;
@@ -55,12 +57,39 @@ HWY_INLINE Ray RayAcross(const Aspect& aspect, const Tile& tile, const V3& acros
   return {Set(aspect.o), across};
 }
 
+// The aspects of the camera that a row of tiles may touch, nearest first.
+struct Touching {
+  static constexpr int kMost = 512;  // where there are more, none is left out
+  int count;
+  bool all;
+  std::int16_t index[kMost];
+
+  HWY_INLINE int operator[](int k) const { return all ? k : index[k]; }
+};
+
 constexpr Window kNothing = {0, -1, 0, -1};
 
 HWY_INLINE bool IsEmpty(const Window& w) { return w.row0 > w.row1 || w.column0 > w.column1; }
 
 // Of what is no number: -1.
 HWY_INLINE int Clamped(float v) { return static_cast<int>(std::min(std::max(-1.0F, v), kTile + 1.0F)); }
+
+HWY_INLINE void FindRows(const Aspect& aspect, const Tile& tile, Window& w) {
+  const float over = 1 / tile.dy;  // negative: rows go down
+  w.row0 = std::max(Clamped((aspect.top - tile.y[0]) * over), 0);
+  w.row1 = std::min(Clamped((aspect.bottom - tile.y[0]) * over + 1), kTile) - 1;
+}
+
+// What the row of tiles may touch that a tile is one of.
+inline void FindTouching(const Eye& eye, const Tile& tile, Touching& touching) {
+  touching.all = eye.count > Touching::kMost;
+  touching.count = touching.all ? eye.count : 0;
+  for (int k = 0; k < eye.count && !touching.all; ++k) {
+    Window w;
+    FindRows(eye.aspects[k], tile, w);
+    if (w.row0 <= w.row1) touching.index[touching.count++] = static_cast<std::int16_t>(k);
+  }
+}
 
 HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
   // The least of facing over the tile; rays beyond the last are close enough.
@@ -70,12 +99,10 @@ HWY_INLINE Window WindowOf(const Aspect& aspect, const Tile& tile) {
                       std::min(aspect.facing[2] * tile.y[0], aspect.facing[2] * far_y);
   if (least > 0) return kNothing;
   const float over_x = 1 / tile.dx;
-  const float over_y = 1 / tile.dy;  // negative: rows go down
   Window w;
   w.column0 = std::max(Clamped((aspect.left - tile.x[0]) * over_x), 0);
   w.column1 = std::min(Clamped((aspect.right - tile.x[0]) * over_x + 1), kTile) - 1;
-  w.row0 = std::max(Clamped((aspect.top - tile.y[0]) * over_y), 0);
-  w.row1 = std::min(Clamped((aspect.bottom - tile.y[0]) * over_y + 1), kTile) - 1;
+  FindRows(aspect, tile, w);
   return w;
 }
 
