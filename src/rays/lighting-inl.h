@@ -255,7 +255,7 @@ HWY_INLINE V3 Textured(const Subject& subject, const Aspect& aspect, const V3& r
   const Texture& texture = *material.texture;
   const bool cube = material.mapping.kind == Mapping::kCube;
   if (kKind == Form::kMesh && material.mapping.kind == Mapping::kGiven) {
-    const SurfaceAt surface(*frame.solids[aspect.solid].mesh, FaceAt(subject, i), p);
+    const SurfaceAt<Known::kTexture> surface(*frame.solids[aspect.solid].mesh, FaceAt(subject, i), p);
     const Steps steps = StepsAt<kKind>(subject, aspect, ray, n, t);
     const V wide = Set(static_cast<float>(texture.width));
     const V high = Set(static_cast<float>(texture.height));

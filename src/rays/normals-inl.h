@@ -87,7 +87,7 @@ HWY_NOINLINE void FindNormals(const Frame& frame, const Aspect& aspect, int inde
     const V y = FindSlope(tile.y, hn::ShiftRight<4>(i));
     const Ray ray = RayAcross(aspect, tile, Set(aspect.a) + Set(aspect.by) * y + Set(aspect.bx) * x);
     const V3 p = ray.o + ray.d * hn::GatherIndex(D(), points.t, i);
-    const V3 n = SurfaceAt(mesh, hn::GatherIndex(DI(), points.face, i), p).normal();
+    const V3 n = SurfaceAt<Known::kNormals>(mesh, hn::GatherIndex(DI(), points.face, i), p).normal();
     hn::ScatterIndex(n.x, D(), normals.x, i);
     hn::ScatterIndex(n.y, D(), normals.y, i);
     hn::ScatterIndex(n.z, D(), normals.z, i);
