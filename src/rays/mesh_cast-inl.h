@@ -57,9 +57,16 @@ class MeshCast {
     group.column1 = hn::Min(Place(found.high[0], x, over_x, kMargin), SetI(w_.column1));
     group.row0 = hn::Max(Place(found.high[1], y, over_y, 1 - kMargin), SetI(w_.row0));
     group.row1 = hn::Min(Place(found.low[1], y, over_y, kMargin), SetI(w_.row1));
-    const VI rows = hn::Sub(group.row1, group.row0);  // one less
+    const VI columns = hn::Sub(group.column1, group.column0);  // one less
+    const VI rows = hn::Sub(group.row1, group.row0);
     auto may = hn::RebindMask(DI(), found.may);
-    may = hn::AndNot(hn::Lt(hn::Min(hn::Sub(group.column1, group.column0), rows), hn::Zero(DI())), may);
+    may = hn::AndNot(hn::Lt(hn::Min(columns, rows), hn::Zero(DI())), may);
+    if (hn::AllFalse(DI(), may)) return;
+    group.found = &found;
+    group.number = hn::Iota(DI(), first);
+    const auto one = hn::And(may, hn::Eq(hn::Or(columns, rows), hn::Zero(DI())));
+    if (!hn::AllFalse(DI(), one)) keep_one(group, one);
+    may = hn::AndNot(one, may);
     if (hn::AllFalse(DI(), may)) return;
     for (int corner = 0; corner < 3; ++corner) {
       group.at[corner][0] = (found.at[corner][0] - x) * over_x;
@@ -72,16 +79,16 @@ class MeshCast {
     }
     const auto kept = hn::And(hn::And(may, hn::RebindMask(DI(), small)), hn::Lt(rows, SetI(kRows)));
     const auto others = hn::AndNot(kept, may);
-    group.found = &found;
-    group.number = hn::Iota(DI(), first);
     if (!hn::AllFalse(DI(), kept)) keep(group, kept);
     if (!hn::AllFalse(DI(), others)) meet_large(group, others);
   }
 
   // All that were found have been met.
   void finish() {
-    run(0, count_);
-    count_ = 0;
+    run(0, some_.count);
+    some_.count = 0;
+    run_ones(one_.count);
+    one_.count = 0;
   }
 
  private:
@@ -110,26 +117,72 @@ class MeshCast {
     return hn::ConvertTo(DI(), hn::Min(Pick(hn::Gt(v, least), v, least), Set(kTile + 1.0F)));
   }
 
+  // Triangles that wait.
+  struct Kept {
+    int count = 0;
+    alignas(64) float triangle[9][kRoom];
+    alignas(64) std::int32_t rays[kRoom];
+    alignas(64) std::int32_t number[kRoom];
+
+    template <class Mask>
+    HWY_INLINE void put(const Group& group, VI of_rays, Mask which) {
+      for (int k = 0; k < 9; ++k) put_at(D(), group.found->number[k], which, triangle[k]);
+      put_at(DI(), of_rays, which, rays);
+      put_at(DI(), group.number, which, number);
+    }
+    template <class Tag, class Vector, class Mask, class Number>
+    HWY_INLINE void put_at(const Tag& d, Vector v, Mask which, Number* to) const {
+      hn::StoreU(hn::Compress(v, hn::RebindMask(d, which)), d, to + count);
+    }
+    void forget(int first) {
+      for (auto& numbers : triangle) move(numbers, first);
+      move(rays, first);
+      move(number, first);
+    }
+    template <class Number>
+    void move(Number* numbers, int first) const {
+      std::copy(numbers + first, numbers + count, numbers);
+    }
+    HWY_INLINE V3 three(int k, int from) const {
+      return {Load(triangle[k] + from), Load(triangle[k + 1] + from), Load(triangle[k + 2] + from)};
+    }
+  };
+
+  // Those that one ray may meet, as most do where there are more triangles than rays.
+  template <class Mask>
+  HWY_INLINE void keep_one(const Group& group, Mask which) {
+    one_.put(group, hn::Add(hn::ShiftLeft<4>(group.row0), group.column0), which);
+    one_.count += static_cast<int>(hn::CountTrue(DI(), which));
+    if (one_.count < kKept) return;
+    run_ones(kKept);
+    one_.forget(kKept);
+    one_.count -= kKept;
+  }
+
+  HWY_NOINLINE void run_ones(int count) {
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    for (int i = 0; i < count; i += lanes) {
+      const auto active = hn::FirstN(DI(), static_cast<std::size_t>(count - i));
+      const VI place = hn::IfThenElseZero(active, hn::Load(DI(), one_.rays + i));
+      const VI row = hn::ShiftRight<4>(place);
+      const Meeting meeting(start(), one_.three(0, i), one_.three(3, i), one_.three(6, i));
+      meet_each(meeting, one_.number + i, hn::And(place, SetI(kTile - 1)), row, FindSlope(tile_.y, row),
+                hn::RebindMask(D(), active));
+    }
+  }
+
   template <class Mask>
   HWY_INLINE void keep(const Group& group, Mask which) {
-    const auto put = [&](const auto& d, auto v, auto* to) {
-      hn::StoreU(hn::Compress(v, hn::RebindMask(d, which)), d, to + count_);
-    };
-    for (int k = 0; k < 9; ++k) put(D(), group.found->number[k], triangle_[k]);
-    for (int k = 0; k < 6; ++k) put(D(), group.at[k / 2][k % 2], at_[k]);
     const VI rays = hn::Or(hn::Or(group.column0, hn::ShiftLeft<8>(group.column1)),
                            hn::Or(hn::ShiftLeft<16>(group.row0), hn::ShiftLeft<24>(group.row1)));
-    put(DI(), rays, rays_);
-    put(DI(), group.number, number_);
-    count_ += static_cast<int>(hn::CountTrue(DI(), which));
-    if (count_ < kKept) return;
+    some_.put(group, rays, which);
+    for (int k = 0; k < 6; ++k) some_.put_at(D(), group.at[k / 2][k % 2], which, at_[k]);
+    some_.count += static_cast<int>(hn::CountTrue(DI(), which));
+    if (some_.count < kKept) return;
     run(0, kKept);
-    const auto move = [&](auto* of) { std::copy(of + kKept, of + count_, of); };
-    for (auto& numbers : triangle_) move(numbers);
-    for (auto& numbers : at_) move(numbers);
-    move(rays_);
-    move(number_);
-    count_ -= kKept;
+    some_.forget(kKept);
+    for (auto& numbers : at_) some_.move(numbers, kKept);
+    some_.count -= kKept;
   }
 
   HWY_INLINE V3 toward(V x, V y) const { return Set(aspect_.a) + Set(aspect_.by) * y + Set(aspect_.bx) * x; }
@@ -170,17 +223,14 @@ class MeshCast {
   }
 
   HWY_INLINE void run_some(int from, int count) {
-    const auto three = [&](int k) {
-      return V3{Load(triangle_[k] + from), Load(triangle_[k + 1] + from), Load(triangle_[k + 2] + from)};
-    };
     const auto edge = [&](int a, int b) {
       return Edge(Load(at_[2 * a] + from), Load(at_[2 * a + 1] + from), Load(at_[2 * b] + from),
                   Load(at_[2 * b + 1] + from));
     };
-    const Meeting meeting(start(), three(0), three(3), three(6));
+    const Meeting meeting(start(), some_.three(0, from), some_.three(3, from), some_.three(6, from));
     const Edge edges[3] = {edge(0, 1), edge(1, 2), edge(2, 0)};
     auto active = hn::FirstN(DI(), static_cast<std::size_t>(count));
-    const VI rays = hn::IfThenElseZero(active, hn::Load(DI(), rays_ + from));
+    const VI rays = hn::IfThenElseZero(active, hn::Load(DI(), some_.rays + from));
     const VI byte = SetI(255);
     const VI column0 = hn::And(rays, byte);
     const VI column1 = hn::And(hn::ShiftRight<8>(rays), byte);
@@ -197,7 +247,7 @@ class MeshCast {
       for (;;) {
         const auto on = hn::AndNot(hn::Gt(column, last), active);
         if (hn::AllFalse(DI(), on)) break;
-        meet_each(meeting, from, hn::IfThenElseZero(on, column), row, y, hn::RebindMask(D(), on));
+        meet_each(meeting, some_.number + from, hn::IfThenElseZero(on, column), row, y, hn::RebindMask(D(), on));
         column = hn::Add(column, SetI(1));
       }
       row = hn::Add(row, SetI(1));
@@ -207,7 +257,7 @@ class MeshCast {
   }
 
   // Each triangle and its ray.
-  HWY_INLINE void meet_each(const Meeting& meeting, int from, VI column, VI row, V y, M on) {
+  HWY_INLINE void meet_each(const Meeting& meeting, const std::int32_t* number, VI column, VI row, V y, M on) {
     alignas(64) float depth[hn::MaxLanes(D())];
     alignas(64) std::int32_t place[hn::MaxLanes(D())];
     V t;
@@ -216,7 +266,7 @@ class MeshCast {
     if (None(hit)) return;
     Store(t, depth);
     hn::Store(hn::Add(hn::ShiftLeft<4>(row), column), DI(), place);
-    EachLane(hit, [&](int lane) { put(place[lane], depth[lane], number_[from + lane]); });
+    EachLane(hit, [&](int lane) { put(place[lane], depth[lane], number[lane]); });
   }
 
   HWY_INLINE void put(int i, float t, std::int32_t number) {
@@ -280,11 +330,9 @@ class MeshCast {
   const Met met_;
   const float over_[2];  // the second is negative: rows go down
   const float hair_[2];
-  int count_ = 0;
-  alignas(64) float triangle_[9][kRoom];
-  alignas(64) float at_[6][kRoom];        // corners, in columns and rows
-  alignas(64) std::int32_t rays_[kRoom];  // columns and rows, a byte each
-  alignas(64) std::int32_t number_[kRoom];
+  Kept one_;                        // each with its ray's place in the tile
+  Kept some_;                       // columns and rows of their rays, a byte each
+  alignas(64) float at_[6][kRoom];  // corners of these, in columns and rows
 };
 
 template <bool kFromEach>
