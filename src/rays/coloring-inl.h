@@ -68,17 +68,21 @@ void PaintMirror(const Frame& frame, const Tile& tile, const std::int32_t* shown
 // Transparent things, as MuJoCo blends them: front to back, and then again back to front.
 void PaintTransparent(const Frame& frame, const Tile& tile, Canvas& canvas) {
   const int n = frame.camera.transparent_count;
+  alignas(64) float t[kRays];
+  alignas(64) std::int32_t id[kRays];
+  alignas(64) std::int32_t face[kRays];
+  int known = -1;  // where it is met; the one at the turn comes twice
   for (int k = 0; k < 2 * n; ++k) {
     const int index = frame.camera.transparent[k < n ? k : 2 * n - 1 - k];
     const Window w = WindowOf(frame.camera.aspects[index], tile);
     if (IsEmpty(w)) continue;
-    alignas(64) float t[kRays];
-    alignas(64) std::int32_t id[kRays];
-    alignas(64) std::int32_t face[kRays];
-    std::copy_n(tile.t, kRays, t);
-    std::fill_n(id, kRays, -1);
-    if (frame.solids.meshes()) std::fill_n(face, kRays, 0);
-    Cast<false>(frame.solids, frame.camera, index, tile, w, &frame.camera.near_plane, t, id, face);
+    if (index != known) {
+      std::copy_n(tile.t, kRays, t);
+      std::fill_n(id, kRays, -1);
+      if (frame.solids.meshes()) std::fill_n(face, kRays, 0);
+      Cast<false>(frame.solids, frame.camera, index, tile, w, &frame.camera.near_plane, t, id, face);
+      known = index;
+    }
     Paint<Brush::kBlend>({&frame, &frame.camera, index, &tile, t, id, face, nullptr, nullptr, 1.0F}, w, canvas);
   }
 }
