@@ -1,7 +1,12 @@
 #include "rays/materials.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "base/fail.h"
@@ -145,15 +150,62 @@ std::array<unsigned char, 256> decoded_srgb() {
   return light;
 }
 
+// The textures of a scene fill tens of megabytes, and half of the time that takes is the system's for pages of 4 kB.
+// Linux has larger ones for those who ask. Memory of this size malloc takes from the system, and gives it back as a
+// whole.
+void ask_for_large_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+  constexpr std::uintptr_t kPage = std::uintptr_t{1} << 21;
+  if (bytes < 16 * kPage) return;
+  const auto start = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
+  madvise(reinterpret_cast<void*>(start), end - start, MADV_HUGEPAGE);  // without it all is as usual
+#endif
+}
+
 std::size_t bordered(int width, int height) {
   return static_cast<std::size_t>(width + 2) * static_cast<std::size_t>(height + 2);
 }
 
 }  // namespace
 
+// A face with all its levels.
+void Textures::draw(const Texture& texture, int face, const unsigned char* pixels, int channels, bool srgb) {
+  int width = texture.width;
+  int height = texture.height;
+  const auto level_at = [&](int level) {
+    return Level(texels_.get() + texture.origin[level] + face * bordered(width, height), width, height);
+  };
+  Level level = level_at(0);
+  level.read(pixels, channels);
+  if (srgb) level.map(decoded_srgb());
+  level.fill_border(!texture.cube);
+  for (int k = 1; k < texture.levels; ++k) {
+    width = std::max(width / 2, 1);
+    height = std::max(height / 2, 1);
+    const Level next = level_at(k);
+    next.shrink(level);
+    next.fill_border(!texture.cube);
+    level = next;
+  }
+}
+
+// Most cubes show one picture or one colour on several faces.
+void Textures::repeat(const Texture& texture, int face, int earlier) {
+  int width = texture.width;
+  int height = texture.height;
+  for (int k = 0; k < texture.levels; ++k) {
+    const std::size_t count = bordered(width, height);
+    std::uint32_t* const first = texels_.get() + texture.origin[k] - (width + 3);  // of the first face, with its border
+    std::copy_n(first + count * static_cast<std::size_t>(earlier), count,
+                first + count * static_cast<std::size_t>(face));
+    width = std::max(width / 2, 1);
+    height = std::max(height / 2, 1);
+  }
+}
+
 Textures::Textures(const render::Textures& given) {
   textures_.resize(static_cast<std::size_t>(given.count));
-  std::size_t size = 0;
   for (int i = 0; i < given.count; ++i) {
     Texture& texture = textures_[i];
     texture.cube = given.types[i] != render::kFlatTexture;
@@ -161,40 +213,33 @@ Textures::Textures(const render::Textures& given) {
     texture.width = given.widths[i];
     texture.height = texture.cube ? texture.width : given.heights[i];
     for (int w = texture.width, h = texture.height;; w = std::max(w / 2, 1), h = std::max(h / 2, 1)) {
-      texture.origin[texture.levels++] = static_cast<std::int32_t>(size) + w + 3;
-      size += bordered(w, h) * (texture.cube ? 6 : 1);
-      if (size > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() / 4)) {
+      texture.origin[texture.levels++] = static_cast<std::int32_t>(size_) + w + 3;
+      size_ += bordered(w, h) * (texture.cube ? 6 : 1);
+      if (size_ > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max() / 4)) {
         fail(Status::kUnsupported, "the textures are too large for the ray renderer");
       }
       if ((w == 1 && h == 1) || texture.levels == Texture::kMaxLevels) break;
     }
   }
-  texels_.resize(size + 1);  // texels are read in pairs
+  ++size_;  // texels are read in pairs
+  texels_.reset(new std::uint32_t[size_]);
+  ask_for_large_pages(texels_.get(), size_ * sizeof(std::uint32_t));
+  texels_[size_ - 1] = 0;
   const unsigned char* pixels = given.pixels;
   for (int i = 0; i < given.count; ++i) {
     const Texture& texture = textures_[i];
     const int channels = given.channels == nullptr ? 3 : given.channels[i];
+    const std::size_t face_bytes = static_cast<std::size_t>(channels) * texture.width * texture.height;
     // A cube texture as high as wide is one picture for all six faces.
-    const bool same_faces = texture.cube && given.heights[i] == given.widths[i];
+    const bool one_picture = texture.cube && given.heights[i] == given.widths[i];
+    const auto pixels_of = [&](int face) { return pixels + (one_picture ? 0 : face_bytes * face); };
     for (int face = 0; face < (texture.cube ? 6 : 1); ++face) {
-      int width = texture.width;
-      int height = texture.height;
-      const auto level_at = [&](int level) {
-        return Level(texels_.data() + texture.origin[level] + face * bordered(width, height), width, height);
-      };
-      Level level = level_at(0);
-      const unsigned char* from =
-          pixels + (same_faces ? 0 : static_cast<std::size_t>(channels) * width * height * face);
-      level.read(from, channels);
-      if (given.is_srgb(i)) level.map(decoded_srgb());
-      level.fill_border(!texture.cube);
-      for (int k = 1; k < texture.levels; ++k) {
-        width = std::max(width / 2, 1);
-        height = std::max(height / 2, 1);
-        const Level next = level_at(k);
-        next.shrink(level);
-        next.fill_border(!texture.cube);
-        level = next;
+      int like = 0;
+      while (like < face && std::memcmp(pixels_of(like), pixels_of(face), face_bytes) != 0) ++like;
+      if (like < face) {
+        repeat(texture, face, like);
+      } else {
+        draw(texture, face, pixels_of(face), channels, given.is_srgb(i));
       }
     }
     pixels += static_cast<std::size_t>(channels) * given.widths[i] * given.heights[i];

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "render/surfaces.h"
@@ -34,12 +35,16 @@ class Textures {
   const Texture* sky() const;  // the first skybox, null where there is none
   int count() const { return static_cast<int>(textures_.size()); }
   // Texels are 0x00BBGGRR, row 0 first as they were given.
-  const std::uint32_t* texels() const { return texels_.data(); }
-  std::size_t bytes() const { return texels_.size() * sizeof(std::uint32_t); }
+  const std::uint32_t* texels() const { return texels_.get(); }
+  std::size_t bytes() const { return size_ * sizeof(std::uint32_t); }
 
  private:
+  void draw(const Texture& texture, int face, const unsigned char* pixels, int channels, bool srgb);
+  void repeat(const Texture& texture, int face, int earlier);
+
   std::vector<Texture> textures_;
-  std::vector<std::uint32_t> texels_;
+  std::size_t size_ = 0;
+  std::unique_ptr<std::uint32_t[]> texels_;  // large, and written in full: zeros before would cost as much again
 };
 
 // What solids are made of, in the terms of the kernels.
