@@ -18,7 +18,6 @@
 //   bench_extras spontaneous [STEPS]  an infant's spontaneous movements are asked for before each step
 #include <mimo/experimental.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -31,8 +30,7 @@
 namespace {
 
 using mimo::test::median;
-
-using Clock = std::chrono::steady_clock;
+using mimo::test::processor_seconds;
 
 void check(mimo_status status) {
   if (status == MIMO_OK) return;
@@ -147,11 +145,11 @@ std::vector<double> shares_of_sums(const std::vector<double>& with, const std::v
 double seconds(mimo_env* env, const std::vector<float>& action, std::vector<std::uint8_t>& block,
                bool spontaneous = false) {
   std::vector<float> own(action.size());
-  const auto start = Clock::now();
+  const double start = processor_seconds();
   if (spontaneous) check(mimo_env_spontaneous(env, 0, MIMO_MOVEMENT_ALL, own.data(), own.size()));
   check(
       mimo_env_step(env, action.data(), action.size(), block.empty() ? nullptr : block.data(), block.size(), nullptr));
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  return processor_seconds() - start;
 }
 
 }  // namespace
