@@ -20,10 +20,10 @@ def program():
     return found
 
 
-def record(path, *options):
-    """A recording that the program makes."""
+def record(path, *options, command="record"):
+    """A recording that the program makes, by `mimo record` or another command."""
     pytest.importorskip("h5py", reason="h5py is not installed")
-    done = subprocess.run([program(), "record", *options, "--out", str(path)], capture_output=True, text=True)
+    done = subprocess.run([program(), command, *options, "--out", str(path)], capture_output=True, text=True)
     if done.returncode != 0 and "HDF5" in done.stderr and "format" not in done.stderr:
         pytest.skip(done.stderr.strip())
     assert done.returncode == 0, done.stderr

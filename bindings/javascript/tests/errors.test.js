@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import test from "node:test";
+import { setFlagsFromString } from "node:v8";
+import { runInNewContext } from "node:vm";
 import { Worker } from "node:worker_threads";
 import * as mimo from "../src/index.js";
 import { structs } from "../src/generated/structs.js";
@@ -43,7 +45,9 @@ test("the module has one thread, and says so", needed, () => {
   const refused = { code: "UNSUPPORTED", message: /^thread 1 of [24] cannot be started: this build of the library has no threads/ };
   assert.throws(() => new mimo.Batch("reach", { worlds: 2, threads: 2 }), refused);
   assert.throws(() => new mimo.Stage({ threads: 4 }), refused);
-  assert.throws(() => new World("standup", { renderer: "ray", renderThreads: 2 }).render(), refused);
+  for (const renderer of ["ray", "auto"]) {
+    assert.throws(() => new World("standup", { renderer, renderThreads: 2 }).render(), refused);
+  }
   const batch = new mimo.Batch("reach", { worlds: 2 });
   assert.equal(batch.threads, 1);
   batch.reset();
@@ -105,6 +109,42 @@ test("a worker steps a world of its own, from bytes", needed, async () => {
   world.reset({ seed: 7 });
   assert.equal(reward, world.step(new Float32Array(8)).reward[0]);
   world.close();
+});
+
+test("a log is kept as long as what it belongs to", needed, async () => {
+  setFlagsFromString("--expose-gc");
+  const collect = runInNewContext("gc");
+  const gone = async (make) => {
+    const log = new WeakRef(make());
+    for (let i = 0; i < 10 && log.deref(); i++) {
+      await new Promise(setImmediate);
+      collect();
+    }
+    return log.deref() === undefined;
+  };
+  const refused = (make) => () => {
+    const log = () => {};
+    assert.throws(() => make(log));
+    return log;
+  };
+  assert.ok(await gone(refused((log) => new Scene({ name: "nowhere", log }))));
+  assert.ok(await gone(refused((log) => new World("reach", { task: "nothing", log }))));
+  assert.ok(await gone(refused((log) => new mimo.Batch("reach", { worlds: 0, log }))));
+  assert.ok(await gone(refused((log) => new mimo.Stage({ threads: 4, log }))));
+  const closed = () => {
+    const log = () => {};
+    new World("reach", { log }).close();
+    return log;
+  };
+  assert.ok(await gone(closed));
+  let open;
+  const kept = () => {
+    const log = () => {};
+    open = new World("reach", { log });
+    return log;
+  };
+  assert.ok(!(await gone(kept)));
+  open.close();
 });
 
 test("worlds that are made and closed leave no memory behind", needed, () => {
