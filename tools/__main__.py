@@ -7,7 +7,7 @@ import sys
 from . import build, cross, lint, packages, page, pins, python, site, web, wheels
 from . import tests as parts
 from .interface import freeze, interface
-from .shell import Failure
+from .shell import Failure, fail
 from .systems import SYSTEMS, chosen
 
 EPILOG = (
@@ -29,9 +29,12 @@ def build_command(options):
 
 
 def wheel_command(options):
+    if options.page and not options.platform:
+        fail("--page goes with --platform; a wheel for this system has the page that ./dev web has made")
     if options.platform:
+        inside = page.page_for_packages() if options.page else None
         for system in chosen(options.platform):
-            wheels.wheel_for(system)
+            wheels.wheel_for(system, inside)
     elif options.mujoco:
         wheels.wheel_for_mujoco4()
     else:
@@ -40,7 +43,7 @@ def wheel_command(options):
 
 
 def package_command(options):
-    packages.make_packages(options.all)
+    packages.make_packages(options.all, options.page)
     show(packages.PACKAGE)
 
 
@@ -102,10 +105,13 @@ def add_products(commands):
     command = commands.add("package", package_command, "build/package: Debian packages, and the sources as a tarball")
     text = "and what users of all systems get: tarballs, wheels, a NuGet and a Unity package, crates"
     command.add_argument("--all", action="store_true", help=text)
+    with_page = "with the page of mimo export --html, which first takes ten minutes of a processor"
+    command.add_argument("--page", action="store_true", help=f"{with_page}; --all has it always")
     command = commands.add("wheel", wheel_command, "build/wheel/mimo-*.whl, the Python package")
     which = command.add_mutually_exclusive_group()
     which.add_argument("--platform", metavar="SYSTEM", help=f"for another system: {', '.join(SYSTEMS)}, or all of them")
     which.add_argument("--mujoco", choices=["4"], help="the library for programs that use the Python package mujoco")
+    command.add_argument("--page", action="store_true", help=f"{with_page}; only with --platform")
     commands.add("docs", lambda _: site.docs(), "the documentation as a site, build/docs/html/README.html")
     commands.add("web", lambda _: page.web(), "the page with the infant, build/web, for any server of files")
     about = "takes the newest versions of the Python packages that ./dev installs into tools/pins, with their hashes"

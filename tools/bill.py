@@ -29,11 +29,18 @@ IN_MUJOCO = [
     ("libccd", "BSD-3-Clause", ""),
     ("TinyXML-2", "Zlib", ""),
 ]
+# In the page of mimo export --html, which has a MuJoCo and the library besides.
+IN_PAGE = [
+    ("HDF5", "BSD-3-Clause", ""),
+    ("musl", "MIT", ""),
+    ("three.js", "MIT", ""),
+    ("tinyobjloader", "MIT", ""),
+]
 RUNTIMES = [
     ("LLVM libc++", "Apache-2.0 WITH LLVM-exception", ""),
     ("GCC runtime library", "GPL-3.0-or-later WITH GCC-exception-3.1", ""),  # Windows' files only
 ]
-EVERYTHING = [*COMPILED, *IN_PROGRAM, MUJOCO, *IN_MUJOCO, *RUNTIMES]
+EVERYTHING = [*COMPILED, *IN_PROGRAM, MUJOCO, *IN_MUJOCO, *IN_PAGE, *RUNTIMES]
 
 
 def licence(components):
@@ -41,20 +48,21 @@ def licence(components):
     return " AND ".join([OURS, *sorted({one for _, one, _ in components if one != OURS})])
 
 
-def inside(name):
-    """What a package of that file name holds of others."""
+def inside(name, with_page):
+    """What a package of that file name holds of others; with_page: those with the program hold the page, too."""
+    of_page = [MUJOCO, *IN_MUJOCO, *IN_PAGE, RUNTIMES[0]] if with_page else []
+    if name.startswith("mimo_") and name.endswith(".deb"):
+        return [*COMPILED, *IN_PROGRAM, *of_page]
     if name.endswith(".deb"):
-        return (
-            COMPILED if name.startswith("libmimo1_") else [*COMPILED, *IN_PROGRAM] if name.startswith("mimo_") else []
-        )
+        return COMPILED if name.startswith("libmimo1_") else []
     if name.startswith("mimo_mujoco4-"):
         return [*COMPILED, RUNTIMES[0]]
     systems = ("-x64", "-arm64", ".whl", ".nupkg", ".tgz")
     if not any(system in name for system in systems):
         return []  # sources
     windows = [RUNTIMES[1]] if "win" in name else RUNTIMES if name.endswith((".nupkg", ".tgz")) else [RUNTIMES[0]]
-    program = [] if name.endswith((".nupkg", ".tgz", ".crate")) else IN_PROGRAM
-    return [*COMPILED, *program, MUJOCO, *IN_MUJOCO, *windows]
+    program = [] if name.endswith((".nupkg", ".tgz", ".crate")) else [*IN_PROGRAM, *of_page]
+    return list(dict.fromkeys([*COMPILED, *program, MUJOCO, *IN_MUJOCO, *windows]))
 
 
 def version_of(place, sources):
@@ -88,7 +96,7 @@ def entry(name, version, one, **further):
     }
 
 
-def document(version, folder, sources):
+def document(version, folder, sources, with_page):
     """The whole document."""
     date = datetime.datetime.fromtimestamp(int(os.environ["SOURCE_DATE_EPOCH"]), datetime.timezone.utc)
     packages = [entry(name, version_of(place, sources), one) for name, one, place in EVERYTHING]
@@ -96,7 +104,7 @@ def document(version, folder, sources):
     for path in sorted(folder.iterdir()):
         if path.suffix == ".json" or path.name == "SHA256SUMS":
             continue
-        held = inside(path.name)
+        held = inside(path.name, with_page)
         content = hashlib.sha256(path.read_bytes()).hexdigest()
         checksum = [{"algorithm": "SHA256", "checksumValue": content}]
         packages.append(entry(path.name, version, licence(held), packageFileName=path.name, checksums=checksum))
@@ -118,14 +126,14 @@ def document(version, folder, sources):
     }
 
 
-def write(version, folder, sources, out):
-    """Writes the document for the packages in a folder.
+def write(version, folder, sources, out, with_page):
+    """Writes the document for the packages in a folder, with or without the page of mimo export --html.
 
     SOURCES lists the sources that were compiled, a folder's name each (pugixml-1.13); headers have the versions of the
     installed Debian packages.
     """
     listed = sources.read_text().split() if sources.is_file() else []
-    out.write_text(json.dumps(document(version, folder, listed), indent=1) + "\n")
+    out.write_text(json.dumps(document(version, folder, listed, with_page), indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -11,10 +11,12 @@ import re
 import shutil
 from pathlib import Path
 
-from . import bill, javascript, pack, systems
+from . import bill, pack, systems
 from .build import PROGRAM, build
 from .csharp import MADE, build_csharp, dotnet
+from .javascript import pack_javascript
 from .need import need
+from .page import page_for_packages
 from .pins import environment, tool
 from .python import WHEELS, date_packages
 from .rust import CRATES
@@ -41,14 +43,25 @@ def package_sources():
     pack.write_tar(PACKAGE / f"{name}.tar.gz", {f"{name}/{file}": ROOT / file for file in sorted(sources())})
 
 
-def package_debian():
+def put_page(folder, page):
+    """Lets CMake install the page for recordings out of a build folder, or none."""
+    shutil.rmtree(folder / "web", ignore_errors=True)
+    if page:
+        copy([page], folder / "web")
+
+
+def package_debian(page):
     """Makes the packages of cmake/debian/control. They are compiled like the release build, so ccache has all."""
     build("debian", *PROGRAM)
+    put_page(ROOT / "build-debian", page)
     folder = fresh(BUILD / "debian")
     tree, debian = folder / "tree", folder / "tree/debian"
     shutil.copytree(ROOT / "cmake/debian", debian)
     shutil.copy(ROOT / "CHANGELOG.md", tree)
     shutil.copy(ROOT / "LICENSE", debian / "copyright")
+    if page:
+        with (debian / "mimo.install").open("a") as installed:
+            installed.write("usr/share/mimo/web\n")
     control, date = (
         debian / "control",
         email.utils.formatdate(int(os.environ["SOURCE_DATE_EPOCH"])).replace("-0000", "+0000"),
@@ -61,10 +74,11 @@ def package_debian():
     copy(folder.glob("*.deb"), PACKAGE)
 
 
-def package_archive(system):
+def package_archive(system, page):
     """Packs what `cmake --install` installs, with MuJoCo and the licences beside it: unpacked anywhere it works."""
     name = f"libmimo-{version()}-{system.nuget}"
     root, mujoco = fresh(RELEASE / name), Path(system.libraries[1])
+    put_page(system.folder, page)
     run_quietly("cmake", "--install", system.folder, "--prefix", root)
     shutil.copy(system.folder / mujoco, root / mujoco.parent, follow_symlinks=False)
     shutil.copytree(RELEASE / system.name / "licences", root / "licences")
@@ -83,14 +97,6 @@ def package_csharp():
     )
     run(PYTHON, folder / "make_nuget.py", version(), MADE, PACKAGE / f"Mimo.{version()}.nupkg", *named)
     run(PYTHON, folder / "make_unity.py", version(), PACKAGE / f"org.libmimo.mimo-{version()}.tgz", *named)
-
-
-def package_javascript():
-    """Makes the npm package; its module is the same for all systems."""
-    if javascript.MODULE.is_file():
-        copy([javascript.pack_javascript()], PACKAGE)
-    else:
-        print("There is no npm package: it needs the module of ./dev build --web")
 
 
 def native_crate(system, crates):
@@ -136,25 +142,32 @@ def package_rust():
     copy(crates.glob("target/package/*.crate"), PACKAGE)
 
 
-def make_packages(for_all=False):
-    """Makes Debian's packages and the sources; for_all: and what users of all systems get."""
+def make_packages(for_all=False, with_page=False):
+    """Makes Debian's packages and the sources; for_all: and what users of all systems get.
+
+    Whether they hold the page of `mimo export --html` does not depend on what was made before.
+    """
     need("package")
     date_packages()
+    page = page_for_packages() if for_all or with_page else None
     fresh(PACKAGE)
-    package_debian()
+    package_debian(page)
     package_sources()
     if for_all:
         fresh(WHEELS)  # may have a wheel for this system alone
         for system in systems.ALL:
-            wheel_for(system)
+            wheel_for(system, page)
         wheel_for_mujoco4()
         for system in systems.ALL:
-            package_archive(system)
+            package_archive(system, page)
         copy(WHEELS.glob("mimo*.whl"), PACKAGE)
         package_csharp()
         package_rust()
-        package_javascript()
-    bill.write(version(), PACKAGE, BUILD / "cross/sources.txt", PACKAGE / f"libmimo-{version()}.spdx.json")
+        copy([pack_javascript()], PACKAGE)
+    if not page:
+        print("These packages are without the page of mimo export --html; ./dev package --page puts it into them")
+    listed = PACKAGE / f"libmimo-{version()}.spdx.json"
+    bill.write(version(), PACKAGE, BUILD / "cross/sources.txt", listed, with_page=bool(page))
     write_notes()
     sums = [f"{hashlib.sha256(file.read_bytes()).hexdigest()}  {file.name}\n" for file in sorted(PACKAGE.iterdir())]
     (PACKAGE / "SHA256SUMS").write_text("".join(sums))
@@ -193,6 +206,7 @@ def test_release():
     print("Tests of the packages for all systems")
     checks = [
         ("check_archive", f"libmimo-{version()}-linux-x64.tar.gz"),
+        ("check_page", f"libmimo-{version()}-linux-x64.tar.gz"),
         ("check_msvc", f"libmimo-{version()}-win-x64.zip"),
         ("check_macos", f"libmimo-{version()}-osx-arm64.tar.gz", "arm64"),
         ("check_macos", f"libmimo-{version()}-osx-x64.tar.gz", "x86_64"),
@@ -201,6 +215,9 @@ def test_release():
         ("check_crates", f"mimo-{version()}.crate", PACKAGE),
         ("check_conan", f"libmimo-{version()}.tar.gz", environment("conan", "conan") / "conan"),
     ]
+    debs = sorted(PACKAGE.glob("*.deb"))
+    for check in ("check_deb", "check_page"):
+        run(f"tests/package/{check}", *debs)
     for check, package, *further in checks:
         run(f"tests/package/{check}", PACKAGE / package, *further)
     check_made_twice(for_all=True)

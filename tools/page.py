@@ -9,6 +9,7 @@ from .javascript import LICENCES, PACKAGE, install_compiler, take_module, test_j
 from .need import need
 from .python import sessions, wheel
 from .shell import BUILD, ROOT, copy, fail, fresh, run
+from .web import build_web
 
 SOURCES = ROOT / "web"
 PAGE = BUILD / "web"
@@ -79,6 +80,13 @@ def make_page():
         shutil.copytree(PACKAGE / "licences", PAGE / "licences")
     text = (SOURCES / "index.html").read_text(encoding="utf-8")
     (PAGE / "index.html").write_text(text.replace("<!-- links -->", documentation()), encoding="utf-8")
+
+
+def page_for_packages():
+    """Makes the module, if it is not there, and the page for recordings; returns its file."""
+    build_web()
+    make_page()
+    return PAGE / "recording.html"
 
 
 def test_web():

@@ -58,11 +58,11 @@ def make_wheel(sources, native, licences, tag):
     copy([only(RELEASE / "wheel", "*.whl")], WHEELS)
 
 
-def wheel_for(system):
+def wheel_for(system, page=None):
+    """Makes a system's wheel, with the page for recordings if there is one."""
     folder = collect(system)
     native = folder / "native"
-    page = BUILD / "web/recording.html"  # ./dev web
-    copy([*folder.glob("libraries/*"), *folder.glob("program/*"), *([page] if page.is_file() else [])], native)
+    copy([*folder.glob("libraries/*"), *folder.glob("program/*"), *([page] if page else [])], native)
     make_wheel("bindings/python", native, folder / "licences", system.wheel_tag)
     shutil.rmtree(native)
 

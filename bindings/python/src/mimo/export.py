@@ -90,9 +90,7 @@ def _start(text: Optional[str]) -> Optional[datetime]:
 def _page(asked: argparse.Namespace) -> str:
     _refuse(asked, ("fields", "sense"), "--html, which writes a recording as it is")
     program = native_file("mimo.exe" if sys.platform == "win32" else "mimo")
-    page = program.with_name("recording.html")  # only on Linux does the program find it by itself
-    beside = ["--page", str(page)] if page.is_file() else []
-    command = [str(program), "export", "--html", asked.html, *beside, asked.recording]
+    command = [str(program), "export", "--html", asked.html, asked.recording]
 
     def write(hdf5: Optional[bytes]) -> None:
         env = dict(os.environ, **({} if hdf5 is None else {"MIMO_HDF5": os.fsdecode(hdf5)}))
@@ -100,6 +98,7 @@ def _page(asked: argparse.Namespace) -> str:
         if done.returncode != 0:
             told = done.stderr.strip().partition(": ")[2]
             raise UnsupportedError(told) if "libhdf5" in told else ValueError(told)
+        sys.stderr.write(done.stderr)  # warnings
 
     with_hdf5(write, None)
     return f"wrote {asked.html}"
