@@ -104,6 +104,19 @@ class Dev(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("no platform 'amiga'; there are: linux arm windows macos macos-x86 all", done.stderr)
 
+    def test_the_page_of_recordings_is_for_packages_that_are_made_with_it(self):
+        done = self.dev("wheel", "--page")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("--page goes with --platform", done.stderr)
+        made = self.clone / "build/web/recording.html"
+        made.parent.mkdir(parents=True)
+        made.write_text("a page")
+        code = "from pathlib import Path; from tools.packages import put_page; folder = Path('build-debian')\n"
+        code += "for page in (Path('build/web/recording.html'), None):\n"
+        code += "  put_page(folder, page); print((folder / 'web/recording.html').is_file())"
+        said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=self.clone)
+        self.assertEqual((said.stdout, said.stderr), ("True\nFalse\n", ""))
+
     def test_another_mujoco_than_expected_is_refused(self):
         (self.clone / "build/cross").mkdir(parents=True)
         (self.clone / "build/cross/complete").touch()
