@@ -1,5 +1,6 @@
 """`mimo run`: an infant's random movements, and pictures of them."""
 import array
+import json
 import re
 import signal
 import subprocess
@@ -140,6 +141,35 @@ class Run(Case):
         text = self.mimo("run", "--seconds", "0.1", "--vision", "off", "--out", "p")
         self.assertNotIn("vision/", text)
         self.assertNotIn("p/left.png", self.files())
+
+    def test_what_a_behaviour_measured_is_printed(self):
+        options = ("--scene", "sit", "--vision", "off", "--json")
+        told = json.loads(self.mimo("run", *options, "--parameter", "behaviour/episode_seconds=0.2"))
+        self.assertEqual((told["task"], told["steps"], told["over"], told["outcome"]), ("behaviour", 20, True, "none"))
+        measure = told["measure"]
+        self.assertEqual((measure["name"], measure["unit"], measure["threshold"]), ("tilt upper_body z", "deg", 45))
+        self.assertEqual(measure["value"], told["achieved"][0])
+        self.assertIsNone(told["policy"])
+        spontaneous = json.loads(self.mimo("run", *options, "--spontaneous", "--seconds", "0.2"))
+        self.assertNotEqual(spontaneous["achieved"], told["achieved"])
+        without = json.loads(self.mimo("run", *options, "--task", "none", "--seconds", "0.1"))
+        self.assertEqual((without["task"], without["measure"], without["goal"]), ("none", None, []))
+
+    def test_a_behaviour_of_ones_own(self):
+        self.write("crouch.xml", """
+          <mujoco>
+            <include file="mimo/parts/room.xml"/>
+            <custom>
+              <numeric name="mimo:place" data="0 0 0.36 1 0 0 0"/>
+              <text name="mimo:task" data="behaviour"/>
+              <text name="mimo:behaviour" data="crouches"/>
+              <text name="mimo:reached" data="height head at most 0.3 from 0.6 m"/>
+            </custom>
+          </mujoco>""")
+        options = ("run", "--scene", "crouch.xml", "--vision", "off", "--seconds", "0.1", "--json")
+        told = json.loads(self.mimo(*options, "--body", "mitten"))
+        self.assertEqual((told["measure"]["name"], told["measure"]["threshold"]), ("height head", 0.3))
+        self.assertIn('no body named "head"', self.mimo(*options, code=1))  # everything in the room is one agent
 
     def test_room_without_infant(self):
         self.write("room.xml", '<mujoco><worldbody><body><freejoint/><geom size=".1"/></body></worldbody></mujoco>')
