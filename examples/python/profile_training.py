@@ -11,8 +11,10 @@ import tempfile
 import time
 from pathlib import Path
 
+import train  # before torch: it says how many threads products of matrices may have
+
+# isort: split
 import torch
-import train
 
 import mimo.batch
 from mimo.sb3 import SB3VecEnv
