@@ -199,8 +199,13 @@ class Export(Case):
         report = json.loads(subprocess.run([node, "-e", VALIDATE, path], capture_output=True, check=True).stdout)
         self.assertEqual((report["numErrors"], report["numWarnings"]), (0, 0), report["messages"][:5])
 
+    def need_a_replay(self):
+        if json.loads(self.mimo("info", "--json"))["versions"]["mujoco"] != "2.2.2":
+            self.skipTest("MuJoCo 4 makes another model of a recording's document, which is then not played")
+
     @needs_hdf5
     def test_a_page_holds_the_recording(self):
+        self.need_a_replay()
         self.mimo("record", "--seconds", "0.1", "--out", 'a "b" & <c>.h5')
         self.write("page.html", "<p>before</p><!-- recording --><p>behind</p>")
         self.mimo("export", "--html", "run.html", "--page", "page.html", 'a "b" & <c>.h5')
@@ -216,6 +221,7 @@ class Export(Case):
         libm = ctypes.util.find_library("m")
         if sys.platform != "linux" or libm is None:
             self.skipTest("only on Linux a program sees what its libraries call")
+        self.need_a_replay()
         functions = [getattr(ctypes.CDLL(libm), name) for name in
                      ("exp", "log", "sin", "cos", "tan", "asin", "acos", "pow", "atan2")]
         for function in functions:
