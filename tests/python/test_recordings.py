@@ -53,6 +53,16 @@ def test_touch_and_sound_are_those_of_the_recording(tmp_path):
                 np.testing.assert_array_equal(seen[name], file[f"fields/{name}"][step])
 
 
+@pytest.mark.parametrize(("level", "filters"), [(0, (None, None)), (4, (None, "gzip")), (5, ("gzip", "gzip"))])
+def test_up_to_level_4_narrow_rows_are_not_compressed(level, filters, tmp_path):
+    h5py = pytest.importorskip("h5py", reason="h5py is not installed")
+    options = ["--scene", "showroom", "--seconds", "0.05", "--keep", "touch", "--compression", str(level)]
+    with h5py.File(record(tmp_path / "run.h5", *options)) as file:
+        narrow, wide = file["joints/position"], file["fields/touch/force"]
+        assert narrow[0].nbytes <= 4096 < wide[0].nbytes
+        assert (narrow.compression, wide.compression) == filters
+
+
 @pytest.fixture(scope="module")
 def short_run(tmp_path_factory):
     return record(tmp_path_factory.mktemp("short") / "run.h5", "--seconds", "0.1")
