@@ -205,6 +205,24 @@ def test_a_texture_can_be_switched_off():
     assert picture(model, data, "above", option)[2, 2].tolist() == [255, 255, 255]
 
 
+def test_samples_look_up_the_texture_each():
+    """24 fields of a chequered plane across 32 pixels, 1.33 a field, against the shares of black and white in each."""
+    xml = """<mujoco><visual><headlight ambient="1 1 1" diffuse="0 0 0" specular="0 0 0"/></visual>
+        <asset><texture name="t" type="2d" builtin="checker" rgb1="0 0 0" rgb2="1 1 1" width="512" height="512"/>
+          <material name="m" texture="t" texrepeat="12 12" texuniform="false"/></asset>
+        <worldbody><geom type="plane" size="1 1 .1" material="m"/>
+          <camera name="a" pos="0 0 4" fovy="{}"/></worldbody></mujoco>"""
+    seen = loaded(xml.format(math.degrees(2 * math.atan(1 / 4))))
+    waves = np.where(np.arange(24 * 32) // 32 % 2, 1.0, -1.0).reshape(32, 24).mean(1)  # of 24 parts of each pixel
+    shares = 0.5 - 0.5 * np.outer(waves, waves)
+    wrong = {}
+    for samples in (1, 4, 16):
+        white = picture(*seen, "a", size=(32, 32), samples=samples)[..., 0] / 255
+        wrong[samples] = min(np.abs(white - shares).mean(), np.abs(white - (1 - shares)).mean())
+    assert wrong[4] < 0.8 * wrong[1]
+    assert wrong[16] < 0.35 * wrong[1]
+
+
 @pytest.mark.skipif(not hasattr(mujoco, "mjtColorSpace"), reason="textures of this MuJoCo have no colour space")
 def test_flat_textures_in_srgb_are_decoded_and_cubes_are_not():
     """As MuJoCo draws them. (((188 / 255 + .055) / 1.055) ** 2.4) * 255 = 128.2, and 64 is 13.1 (IEC 61966-2-1)."""
