@@ -51,10 +51,13 @@ def test_no_example_is_forgotten(root):
     elsewhere = in_test_sb3 | {
         "kit_selftouch.py",
         "cluster.py",
+        "cohort.py",
+        "cohort_learner.py",
+        "reflex.py",
         "torchrl_ppo.py",
         "receptor_steps.py",
         "without_binding.py",
-    }  # in test_classic_scripts, test_ray, test_torchrl, below, and in examples/CMakeLists.txt
+    }  # in test_classic_scripts, test_ray, test_cohort, test_torchrl, below, and in examples/CMakeLists.txt
     assert {file.name for file in (root / "examples/python").glob("*.py")} == set(EXAMPLES) | elsewhere
 
 

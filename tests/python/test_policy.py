@@ -10,7 +10,8 @@ import pytest
 
 import mimo
 
-REACH = Path(__file__).resolve().parents[2] / "examples/policies/reach.json"
+POLICIES = Path(__file__).resolve().parents[2] / "examples/policies"
+REACH = POLICIES / "reach.json"
 
 
 def small(**others):
@@ -135,6 +136,18 @@ def test_the_program_reaches_and_says_how_fast_it_thinks(tmp_path):
     assert sum(one["outcome"] == "success" for one in told) >= 2
     assert all(one["policy_us"] > 0 for one in told)
     assert all(one["measure"] is None for one in told)  # reach measures what its own terms say
+
+
+@pytest.mark.parametrize("age", [3, 6, 18])
+def test_the_program_sits_for_ten_seconds(tmp_path, age):
+    """The WHO's criterion: 10 seconds. Doing nothing, the infant falls within half a second."""
+    file = POLICIES / "sit.json"
+    assert file.stat().st_size < 200_000
+    episodes = ["--scene", "sit", "--age", age, "--delays", "none", "--json", "--seed"]
+    told = [json.loads(program(tmp_path, "--policy", file, *episodes, seed).stdout) for seed in range(50, 54)]
+    assert sum(one["outcome"] == "success" for one in told) >= 3
+    assert all(one["measure"]["hold_seconds"] == 10 for one in told)
+    assert max(one["measure"]["held_seconds"] for one in told) >= 10
 
 
 def test_the_program_prints_what_a_behaviour_measures(tmp_path):
