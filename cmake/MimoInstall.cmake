@@ -17,7 +17,7 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/src/cli/mimo.1)
 endif()
 
 # Articles and examples, beside each other as in the repository: they refer to each other (tests/readme/check_links).
-set(articles abi benchmark bindings cameras coming-from-mimo differences engines learning packages platforms python robustness scale state-format tasks vision web zoo)
+set(articles abi benchmark bindings cameras cohort coming-from-mimo differences engines learning packages platforms python robustness scale state-format tasks vision web zoo)
 list(TRANSFORM articles REPLACE ".+" "docs/\\0.md")
 install(FILES ${articles} DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents)
 install(DIRECTORY docs/guide docs/adr docs/tutorials DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT documents

@@ -10,7 +10,7 @@ import mimo
 
 IMAGES = Path(__file__).resolve().parent
 POLICY = IMAGES.parents[1] / "examples/policies/sit.json"
-AGES, SEED, SIDE, MOMENTS = (3, 6, 12), 0, 180, 6
+AGES, SEED, SIDE, MOMENTS = (3, 6, 9), 0, 180, 6
 VIEW = {"azimuth": 125, "elevation": -12, "distance": 0.9, "look_at": (0.05, 0, 0.16)}
 
 

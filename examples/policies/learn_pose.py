@@ -21,8 +21,10 @@ MIDLINE = ("hip_twist", "hip_lean", "head_swivel", "head_tilt_side")  # joints t
 NEW_EPISODES = 1_000_000  # seeds that nobody learned from
 
 
-def sides(motors):
-    """The number of each motor's goal, the same for left and right; -1: none."""
+def sides(motors, apart):
+    """The number of each motor's goal, unless they are apart the same for left and right; -1: none."""
+    if apart:
+        return np.arange(len(motors))
     names = [motor[len("act:") :].replace("left_", "").replace("right_", "") for motor in motors]
     kinds = [name for name in dict.fromkeys(names) if name not in MIDLINE]
     return np.array([kinds.index(name) if name in kinds else -1 for name in names])
@@ -39,8 +41,8 @@ def tried(infants, goals, seed, seconds):
     return sum(infants.step(goals)[1] for _ in range(round(seconds / infants.seconds))) * infants.seconds / seconds
 
 
-def learned(infants, ages, generations, seconds, seed):
-    random, places = np.random.default_rng(seed), sides(infants.batch.action_names)
+def learned(infants, ages, generations, seconds, seed, apart=False):
+    random, places = np.random.default_rng(seed), sides(infants.batch.action_names, apart)
     mean = np.zeros(places.max() + 1)
     spread = np.full(len(mean), SPREAD)
     for generation in range(generations):

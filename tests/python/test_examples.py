@@ -4,6 +4,7 @@ import os
 import re
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -11,6 +12,7 @@ EXAMPLES = {
     "async_worlds.py": ["--steps", "5"],
     "babble.py": [],
     "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
+    "film.py": [Path(__file__).resolve().parents[2] / "examples/policies/sit.json", "--ages", "6"],
     "her.py": ["--steps", "0"],
     "hearing.py": [],
     "key_points.py": [],

@@ -63,6 +63,23 @@ def test_first_runs(row, task, steps):
     Page("learning.md").says(claim, *np.ravel(columns))
 
 
+def test_the_cohort():
+    """The page's table of shares is the mean over seeds of the data."""
+    with open(ROOT / "docs/data/cohort/cohort.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    text = (ROOT / "docs/cohort.md").read_text(encoding="utf-8")
+    told = [
+        [cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("| ")
+    ]
+    table = {cells[0].replace(" ", "-"): cells[2:10] for cells in told if len(cells) == 11 and cells[0]}
+    assert set(table) == {row["behaviour"] for row in rows}
+    for behaviour, cells in table.items():
+        for age, cell in zip((0, 3, 6, 9, 12, 15, 18, 24), cells):
+            shares = [float(it["success"]) for it in rows if it["behaviour"] == behaviour and float(it["age"]) == age]
+            assert (cell == "") == (not shares), (behaviour, age)
+            assert not shares or float(cell) == pytest.approx(np.mean(shares), abs=0.0051), (behaviour, age)
+
+
 def test_costs():
     ratios = json.loads((ROOT / "tests/bench/ratios.json").read_text())["ratios"]
     Page("guide/hearing.md").says(
