@@ -17,6 +17,7 @@ SCRIPTS = Path(__file__).resolve().parents[2] / "examples/python"
 sys.path.append(str(SCRIPTS))
 cohort = importlib.import_module("cohort")
 cohort_learner = importlib.import_module("cohort_learner")
+reflex = importlib.import_module("reflex")
 
 ALL = 256  # steps that a learner of these tests is made for: four updates of two worlds
 
@@ -32,7 +33,7 @@ def weights(one):
 def test_every_motor_has_the_joint_that_it_turns():
     world = mimo.World("walk", touch=False, vision=False)
     labels = world.layout.fields["proprioception/position"].labels
-    joints = [cohort_learner.joint_of(motor) for motor in world.action_names]
+    joints = [reflex.joint_of(motor) for motor in world.action_names]
     assert set(joints) <= set(labels)
     assert len(set(joints)) == len(joints) == 38
     world.reset(seed=0)
