@@ -1,8 +1,11 @@
 """make_vec: no copies, the same numbers as single environments, and autoreset as Gymnasium defines it."""
 
+import copy
+
 import gymnasium
 import numpy as np
 import pytest
+from gymnasium.vector.utils import batch_space
 from test_env import NearBall
 
 import mimo
@@ -155,6 +158,33 @@ def test_flat_rows():
     rows, _ = envs.reset(seed=1)
     assert rows.shape == (2, 220)
     np.testing.assert_array_equal(rows[1], mimo.make("reach", flatten=True).reset(seed=2)[0])
+
+
+@pytest.mark.parametrize("flatten", [False, True])
+def test_spaces_of_many_worlds_have_the_bounds_of_one(flatten):
+    envs = mimo.make_vec("reach", num_envs=3, flatten=flatten)
+    assert envs.observation_space == batch_space(envs.single_observation_space, 3)
+    assert envs.action_space == batch_space(envs.single_action_space, 3)
+    boxes = [envs.action_space, *([envs.observation_space] if flatten else envs.observation_space.values())]
+    for box in boxes:
+        for bound in (box.low, box.high, box.bounded_below, box.bounded_above):
+            assert bound.shape[0] == 3
+            assert bound.strides[0] == 0  # a copy for each of 64 worlds with eyes of 256 pixels would take 100 MB
+    assert copy.deepcopy(envs.observation_space) == envs.observation_space
+    assert envs.action_space.sample() in envs.action_space
+    assert envs.reset(seed=0)[0] in envs.observation_space
+
+
+def test_worlds_are_made_by_the_first_picture():
+    envs = mimo.make_vec("reach", num_envs=3, render_mode="rgb_array")
+    envs.reset(seed=0)
+    envs.step(envs.action_space.sample())
+    assert len(envs.batch._worlds) == 0  # each has a block of its own
+    assert len(envs.render()) == 3
+    kept = [envs.batch.world(i) for i in range(3)]
+    envs.render()
+    assert [envs.batch.world(i) for i in range(3)] == kept
+    envs.close()
 
 
 def test_send_and_receive():

@@ -6,6 +6,7 @@ from typing import Any, Dict, Iterable, Mapping, Sequence
 
 import numpy as np
 from gymnasium import spaces
+from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from .layout import Field, Observation
@@ -56,6 +57,17 @@ def flat_box(boxes: Sequence[Any]) -> spaces.Box:
 def action_box(low: NDArray[np.float32], high: NDArray[np.float32]) -> spaces.Box:
     """The space of actions."""
     return spaces.Box(low, high, dtype=np.float32)
+
+
+def of_worlds(space: spaces.Space[Any], worlds: int) -> spaces.Space[Any]:
+    """Gymnasium's space of so many worlds, whose bounds are views of the bounds of one, not a copy for each."""
+    if isinstance(space, spaces.Dict):
+        return spaces.Dict({name: of_worlds(one, worlds) for name, one in space.items()})
+    batch = batch_space(space, worlds)
+    if isinstance(space, spaces.Box):
+        for name in ("low", "high", "bounded_below", "bounded_above"):
+            setattr(batch, name, np.broadcast_to(getattr(space, name), (worlds, *space.shape)))
+    return batch
 
 
 def flat(observation: Observation, worlds: int = 0) -> NDArray[np.float32]:

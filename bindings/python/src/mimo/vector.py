@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import secrets
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import gymnasium.vector
 import numpy as np
 from gymnasium.error import ResetNeeded
-from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from .ages import Age
@@ -19,8 +18,9 @@ from .env import check_sole, with_task
 from .options import EnvOptions, refuse_unknown
 from .pictures import ARRAYS, Painter, without_mode
 from .scene import Scene
-from .spaces import View, action_box
+from .spaces import View, action_box, of_worlds
 from .tasks import GoalTask, Judge, Judgement, Own, Task
+from .world import World
 
 PICTURE = (240, 180)
 Flags = NDArray[np.bool_]
@@ -109,8 +109,8 @@ class VectorEnv(VectorBase):
         first = self.batch.world(0)
         self.single_observation_space = self._view.space
         self.single_action_space = action_box(self.batch.action_low, self.batch.action_high)
-        self.observation_space = batch_space(self.single_observation_space, num_envs)
-        self.action_space = batch_space(self.single_action_space, num_envs)
+        self.observation_space = of_worlds(self.single_observation_space, num_envs)
+        self.action_space = of_worlds(self.single_action_space, num_envs)
         fps = round(1 / (first.timestep * first.frame_skip))
         self.metadata = {"autoreset_mode": self.autoreset_mode, "render_modes": [*ARRAYS], "render_fps": fps}
         self._over = np.zeros(num_envs, np.bool_)
@@ -122,7 +122,7 @@ class VectorEnv(VectorBase):
         self._blocks = [self.batch.blocks, self.batch.layout.new_block(self.num_envs)]
         self._views = [self.batch.layout.views(blocks) for blocks in self._blocks]
         self._turn = 0
-        self._worlds = [self.batch.world(i) for i in range(self.num_envs)]
+        self._shown: List[World] = []  # worlds to be painted, made by the first picture: each has a block of its own
 
     # ---- Gymnasium -----------------------------------------------------------------------------------------------
 
@@ -177,7 +177,8 @@ class VectorEnv(VectorBase):
         if self.render_mode is None:
             without_mode(type(self))
             return None
-        return tuple(self._painter.paint(world) for world in self._worlds)
+        self._shown = self._shown or [self.batch.world(i) for i in range(self.num_envs)]
+        return tuple(self._painter.paint(world) for world in self._shown)
 
     def close_extras(self, **kwargs: Any) -> None:
         """Closes the batch."""
@@ -284,7 +285,7 @@ class VectorEnv(VectorBase):
     # ---- Copies: by the batch's state; blocks and selections are new -----------------------------------------------
 
     def __getstate__(self) -> Dict[str, Any]:
-        mine = {key: value for key, value in self.__dict__.items() if key not in ("_blocks", "_views", "_worlds")}
+        mine = {key: value for key, value in self.__dict__.items() if key not in ("_blocks", "_views", "_shown")}
         return {**mine, "_block": self._blocks[self._turn].copy()}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:

@@ -7,7 +7,6 @@ from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 from gymnasium import spaces
-from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
 from ..classic.model import ModelView
@@ -17,6 +16,7 @@ from ..classic.senses import Observer
 from ..constants import Autoreset, Quantity
 from ..layout import Observation
 from ..scene import Scene
+from ..spaces import of_worlds
 from ..vector import Flags, Results, VectorEnv
 from .config import Config, Given, load
 from .counts import COUNTS
@@ -52,7 +52,7 @@ class BabyBenchVectorEnv(VectorEnv):
         first = self.batch.world(0)
         self._view: Any = _Shown(Observer(first, senses))
         self.single_observation_space = self._view.space
-        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.observation_space = of_worlds(self.single_observation_space, num_envs)
         self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])
         self._log = log_of(self.config) if training else None
         self._counts = COUNTS[self.config["behavior"]](ModelView(first))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
-from gymnasium.vector.utils import batch_space
 
 from ..arguments import reset_options, whole_number
 from ..scene import Scene
+from ..spaces import of_worlds
 from ..tasks import GoalTask
 from ..vector import Results, VectorBase, from_chance
 from .actors import Part
@@ -58,8 +58,8 @@ class VectorEnv(VectorBase):
         self.single_observation_space, self.single_action_space, self.metadata = told
         self.autoreset_mode = self.metadata["autoreset_mode"]
         self.render_mode = None
-        self.observation_space = batch_space(self.single_observation_space, num_envs)
-        self.action_space = batch_space(self.single_action_space, num_envs)
+        self.observation_space = of_worlds(self.single_observation_space, num_envs)
+        self.action_space = of_worlds(self.single_action_space, num_envs)
         if isinstance(options.get("task"), GoalTask):  # only with goals: learners test for this attribute
             self.compute_reward = options["task"].compute_reward
         self._seeded = self._sent = False
