@@ -71,8 +71,8 @@ def measured(scene, ages, goals, episodes):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split(":")[1].split("(")[0].strip())
     parser.add_argument("--scene", default="sit")
-    parser.add_argument("--ages", type=float, nargs="+", default=[5.9], help="months")
-    parser.add_argument("--generations", type=int, default=6)
+    parser.add_argument("--ages", type=float, nargs="+", default=[5.9], help="months, to learn at")
+    parser.add_argument("--generations", type=int, default=5, help="0: keeps the start pose")
     parser.add_argument("--seconds", type=float, default=6, help="of a trial")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=None)
