@@ -69,9 +69,9 @@ def files(session: nox.Session) -> None:
 
 @nox.session
 def learning(session: nox.Session) -> None:
-    """Stable-Baselines3, and the same algorithms compiled by JAX (sbx)."""
+    """Stable-Baselines3, the same algorithms compiled by JAX (sbx), and the cohort."""
     install_learner(session, "train", "train", "train-alone")
-    check(session, "sb3", "tutorials", guides="learning")
+    check(session, "sb3", "cohort", "tutorials", guides="learning")
 
 
 @nox.session
