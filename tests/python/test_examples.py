@@ -4,15 +4,16 @@ import os
 import re
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
+from recorded import recorder_or_skip
+
+import mimo
 
 EXAMPLES = {
     "async_worlds.py": ["--steps", "5"],
     "babble.py": [],
     "babybench.py": ["selftouch", "--blind", "--steps", "20", "--out", "results"],
-    "film.py": [Path(__file__).resolve().parents[2] / "examples/policies/sit.json", "--ages", "6"],
     "her.py": ["--steps", "0"],
     "hearing.py": [],
     "key_points.py": [],
@@ -48,6 +49,15 @@ def test_babybench_accepts_a_scale_of_0(root, tmp_path):
     assert "there is no reward for behavior 'self_touch' with these senses" in done.stderr
 
 
+def test_films_of_a_policy(root, tmp_path):
+    with mimo.World("reach", vision=False) as world, recorder_or_skip(world, tmp_path / "try.h5"):
+        pass
+    film = [sys.executable, root / "examples/python/film.py", root / "examples/policies/sit.json"]
+    assert "sit-6.h5: success" in run([*film, "--ages", "6", "--out", "films"], tmp_path)
+    with mimo.Recording(tmp_path / "films/sit-6.h5") as recording:
+        assert recording.steps == 1500  # 15 s
+
+
 def test_no_example_is_forgotten(root):
     in_test_sb3 = {"train.py", "learning_curves.py", "profile_training.py", "figure4.py", "single_file_ppo.py"}
     elsewhere = in_test_sb3 | {
@@ -55,6 +65,7 @@ def test_no_example_is_forgotten(root):
         "cluster.py",
         "cohort.py",
         "cohort_learner.py",
+        "film.py",
         "reflex.py",
         "torchrl_ppo.py",
         "receptor_steps.py",
