@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 struct BenchOptions {
   WorldOptions world;
   std::size_t worlds = 8;   // a thread
-  std::size_t threads = 0;  // 0: as many as the program may use cores
+  std::size_t threads = 0;  // 0: as many as the machine has cores
   double seconds = 1;       // of each measurement
   bool scale = false, json = false;
 };
@@ -308,7 +308,7 @@ void add_bench(CLI::App& program) {
       ->type_name("W")
       ->check(CLI::Range(1, 1024).description(""))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Most threads. Default: the cores that the program may use")
+  command->add_option("--threads", options->threads, "Most threads. Default: the cores of the machine")
       ->type_name("T")
       ->check(CLI::Range(1, 1024).description(""));
   command->add_option("--seconds", options->seconds, "How long each measurement takes")

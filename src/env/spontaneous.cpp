@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/fail.h"
 #include "base/names.h"
 #include "env/world.h"
@@ -16,6 +17,18 @@ namespace {
 std::string motor_of(const std::string& action) {
   const std::size_t at = action.find(names::kMotor);
   return at == std::string::npos ? "" : action.substr(at + std::string(names::kMotor).size());
+}
+
+// Infants of one world have motors of different names, "anna/act:left_elbow", and move differently.
+std::uint64_t seed_of(std::uint64_t episode, const std::vector<std::string>& actions) {
+  for (const std::string& action : actions) {
+    const std::size_t at = action.find(names::kMotor);
+    if (at == std::string::npos || at == 0) continue;
+    Hash hash;
+    hash.add(action.substr(0, at));
+    return episode ^ hash.value();
+  }
+  return episode;
 }
 
 }  // namespace
@@ -32,7 +45,8 @@ void spontaneous(const World& world, std::size_t agent, std::uint32_t which, Spa
   const actuation::Actuation& actuation = *infant.actuation;
   std::vector<std::string> motors;
   for (const std::string& name : actuation.names()) motors.push_back(motor_of(name));
-  movements::Spontaneous(motors, infant.age->physiology).command(world.noise(), world.data().time, which, actions);
+  const std::uint64_t seed = seed_of(world.noise(), actuation.names());
+  movements::Spontaneous(motors, infant.age->physiology).command(seed, world.data().time, which, actions);
   for (std::size_t i = 0; i < actions.size(); ++i) {
     const float low = actuation.low()[i], high = actuation.high()[i];
     actions[i] = std::clamp(actions[i] > 0 ? actions[i] * high : -actions[i] * low, low, high);

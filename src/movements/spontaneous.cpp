@@ -140,6 +140,7 @@ Spontaneous::Spontaneous(const std::vector<std::string>& motors, double age)
 }
 
 void Spontaneous::command(std::uint64_t seed, double time, std::uint32_t which, Span<float> commands) const {
+  time = std::clamp(time, 0.0, 1e12);  // slots are counted in whole numbers, and a state may hold any time
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     const Motor& motor = motors_[i];
     double sum = 0;

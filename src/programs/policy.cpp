@@ -19,13 +19,20 @@ using Json = nlohmann::json;
 constexpr const char* kFormat = "mimo-policy";
 constexpr int kVersion = 1;
 constexpr std::size_t kMostRows = 4096;  // of a layer: a file is no place to run out of memory
+constexpr int kMostNested = 16;          // nlohmann copies and prints nested values by calls of calls
 
 [[noreturn]] void refuse(const std::string& file, const std::string& why) {
   throw Failure("policy " + file + ": " + why);
 }
 
 Json parsed(const std::string& file) {
-  Json content = Json::parse(read_file(file), nullptr, false);
+  bool too_nested = false;
+  const auto keep = [&](int depth, Json::parse_event_t /*event*/, const Json& /*value*/) {
+    too_nested |= depth > kMostNested;
+    return depth <= kMostNested;
+  };
+  Json content = Json::parse(read_file(file), keep, false);
+  if (too_nested) refuse(file, text("its values are nested more than %d times", kMostNested));
   if (content.is_discarded() || !content.is_object()) refuse(file, "this is no JSON object");
   if (content.value("format", Json()) != kFormat) refuse(file, text("\"format\" is not \"%s\"", kFormat));
   if (content.value("version", Json()) != kVersion) {

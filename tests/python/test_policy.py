@@ -188,6 +188,15 @@ def test_the_program_names_what_is_wrong(tmp_path, change, arguments, said):
     assert refused.stderr.count("\n") == 1
 
 
+def test_values_nested_without_end_are_refused(tmp_path):
+    lists = "[" * 300_000 + "]" * 300_000
+    (tmp_path / "policy.json").write_text(REACH.read_text().replace('"version": 1', f'"version": {lists}'))
+    assert lists in (tmp_path / "policy.json").read_text()
+    refused = program(tmp_path, "--policy", tmp_path / "policy.json")
+    assert refused.returncode == 1
+    assert "nested more than 16 times" in refused.stderr
+
+
 def test_no_json_is_refused(tmp_path):
     (tmp_path / "policy.json").write_text("reach!")
     refused = program(tmp_path, "--policy", tmp_path / "policy.json")

@@ -29,6 +29,14 @@ def test_actions_are_of_the_episode_and_within_bounds():
     assert not np.array_equal(courses[0], courses[2])
 
 
+def test_two_infants_of_one_world_move_differently():
+    world = mimo.World("playdate", vision=0, touch=0)
+    world.reset(seed=1)
+    both = [world.spontaneous(agent=agent) for agent in range(2)]
+    assert all(one.any() for one in both)
+    assert not np.array_equal(*both)
+
+
 def test_kinds_are_chosen():
     world = lying(0)
     world.reset(seed=1)
