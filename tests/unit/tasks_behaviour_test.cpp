@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -207,6 +208,79 @@ TEST(Behaviour, IsComposedInADocument) {
   }
   EXPECT_GT(steps, 30) << "a head that starts at 0.66 m falls 0.36 m in 0.27 s at least (g t^2 / 2)";
   EXPECT_LT(steps, 200) << "an infant that nobody moves falls down";
+}
+
+// A scene of its own with the mitten infant, which stands with its head at 0.66 m and falls.
+std::unique_ptr<World> world_that_reads(const std::string& reached, const std::string& more = "",
+                                        const std::map<std::string, double>& parameters = {}, int frame_skip = 0) {
+  scene::Scene scene(from_text(
+      "<mujoco><include file='mimo/parts/room.xml'/><custom><numeric name='mimo:place' data='0 0 0.36 1 0 0 0'/>"
+      "<text name='mimo:task' data='behaviour'/>" +
+      more + "<text name='mimo:reached' data='" + reached + "'/></custom></mujoco>"));
+  scene.add_body("mitten", "", nullptr);
+  env::EnvOptions options = without_renderer();
+  for (const auto& [name, value] : parameters) options.parameters.set(name, value);
+  if (frame_skip != 0) options.frame_skip = frame_skip;
+  auto world = std::make_unique<World>(compile(scene), std::vector<env::AgentOptions>{blind()}, options);
+  const std::uint64_t seed = 1;
+  world->reset(&seed, nullptr);
+  return world;
+}
+
+TEST(Behaviour, AThresholdBeforeTheBeginOfProgressIsAllOrNothing) {
+  const auto world = world_that_reads("height head at least 0.5 from 0.2 m", "", {{"behaviour/threshold", 0.1}});
+  step(*world);
+  EXPECT_EQ(task_of(*world).terms()[0].value, 1) << "the head is above 0.1 m";
+}
+
+// One step of 400 physics steps: the head falls through the band on the way and is below it at the end.
+TEST(Behaviour, ASuccessWithinAStepCounts) {
+  for (const std::string hold : {"", "; for 0.02 s"}) {
+    const std::string band = "height head at most 0.6 m; height head at least 0.5 m";
+    const auto world = world_that_reads(band + hold, "", {}, 400);
+    step(*world);
+    EXPECT_LT(achieved(*world)[1], 0.5) << "it has fallen through";
+    EXPECT_GE(achieved(*world).back(), 0.02);
+    EXPECT_EQ(task_of(*world).outcome(), tasks::Outcome::kSuccess) << band << hold;
+    EXPECT_EQ(task_of(*world).terms()[1].value, 0) << "it does not hold where the step ends";
+    step(*world);
+    EXPECT_EQ(task_of(*world).outcome(), tasks::Outcome::kNone) << "that was in the step before";
+  }
+  const auto too_long = world_that_reads("height head at most 0.6 m; height head at least 0.5 m; for 1 s", "", {}, 400);
+  step(*too_long);
+  EXPECT_EQ(task_of(*too_long).outcome(), tasks::Outcome::kNone);
+}
+
+// A movement has no evaluation of its own: the next step's tells what was reached in it, from a state as well.
+TEST(Behaviour, ASuccessOfAMovementIsToldByTheNextStep) {
+  const auto world = world_that_reads("height head at most 0.6 m; height head at least 0.5 m", "", {}, 3);
+  const auto nq = static_cast<std::size_t>(world->model().nq);
+  const auto* root = std::find(world->model().jnt_type, world->model().jnt_type + world->model().njnt, mjJNT_FREE);
+  const int at = world->model().jnt_qposadr[root - world->model().jnt_type];
+  std::vector<double> positions;
+  for (const double lower : {0.1, 0.0, 0.0}) {
+    positions.insert(positions.end(), world->data().qpos, world->data().qpos + nq);
+    positions[positions.size() - nq + static_cast<std::size_t>(at) + 2] -= lower;
+  }
+  world->follow(positions, {}, nullptr);
+  EXPECT_GT(achieved(*world)[0], 0.6) << "it is up again";
+  const Bytes state = saved(*world);
+  for (int i = 0; i < 2; ++i) {
+    step(*world);
+    EXPECT_EQ(task_of(*world).outcome(), tasks::Outcome::kSuccess) << (i == 0 ? "at once" : "from a state");
+    load(*world, state);
+  }
+}
+
+TEST(Behaviour, RefusesWhatIsNoTime) {
+  const auto said = [](const std::string& entry) {
+    return refusal([&] { world_that_reads("height head at most 0.3 m", "<numeric name='mimo:" + entry + "/>"); });
+  };
+  for (const char* wrong : {"episode_seconds' data='0'", "episode_seconds' data='-1'",
+                            "episode_seconds' size='2' data='0.05'", "phases' data='1 0'"}) {
+    EXPECT_NE(said(wrong).find("expected"), std::string::npos) << wrong << ": " << said(wrong);
+  }
+  EXPECT_EQ(said("episode_seconds' data='0.05'"), "taken");
 }
 
 // The mobile is held for 120 s, then kicks move it.

@@ -1,5 +1,6 @@
 // A behaviour: the infant is to do what the scene's document measures. One task for all of them.
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -27,6 +28,8 @@ constexpr Parameter kParameters[] = {
      "The sum of the squared control inputs times this is subtracted from the reward"},
     {"behaviour/pose_noise", 0.01, 0, 1, "Every joint starts at most this far from the stored pose, rad"},
 };
+
+constexpr double kRounding = 1e-9;  // s; of a sum of many time steps
 
 // The joint that phases hold.
 struct StillJoint {
@@ -68,6 +71,7 @@ class Behaviour : public Task {
   std::vector<double> values_;  // of the goals
   std::vector<double> memory_;
   double time_ = 0, held_ = 0, longest_ = 0;  // seconds: of the episode, all goals met until now, and at most
+  bool reached_ = false;                      // a success, since the last evaluation
 };
 
 Clauses clauses_of(const mjModel& model) {
@@ -79,11 +83,6 @@ Clauses clauses_of(const mjModel& model) {
          names::kReached);
   }
   return read_clauses(text);
-}
-
-double number_of_scene(const mjModel& model, const char* name, double otherwise) {
-  const Span<const double> numbers = engine::custom_numbers(model, name);
-  return numbers.size() == 1 ? numbers[0] : otherwise;
 }
 
 StillJoint still_joint_of(const mjModel& model, const body::Body& body) {
@@ -108,15 +107,16 @@ Behaviour::Behaviour(const mjModel& model, const body::Body& body, const Setting
   Clauses clauses = clauses_of(model);
   Clause& measure = clauses.all.front();
   measure.threshold = set_or("threshold", measure.threshold);
-  if (measure.from && measure.threshold == *measure.from) measure.from.reset();
-  const Span<const double> phases = engine::custom_numbers(model, names::kPhases);
+  // A threshold of a parameter may stand where progress began: then only reaching it counts.
+  if (measure.from && !measure.leads_up()) measure.from.reset();
+  const std::vector<double> phases = phase_seconds(engine::custom_numbers(model, names::kPhases));
   Maker maker(model, body, phases);
   for (const Clause& clause : clauses.all) goals_.push_back(maker.goal(clause));
   memory_.assign(maker.kept(), 0);
   values_.assign(goals_.size(), 0);
   for (const double seconds : phases) phases_.push_back(seconds + (phases_.empty() ? 0 : phases_.back()));
   hold_seconds_ = set_or("hold_seconds", clauses.seconds);
-  episode_seconds_ = set_or("episode_seconds", number_of_scene(model, names::kSeconds, kUsualSeconds));
+  episode_seconds_ = set_or("episode_seconds", tasks::episode_seconds(engine::custom_numbers(model, names::kSeconds)));
   ends_ = get("ends_on_success") != 0;
   progress_weight_ = get("progress_weight");
   held_weight_ = get("held_weight");
@@ -131,6 +131,7 @@ void Behaviour::reset(engine::Physics& physics, Random& random) {
   physics.forward();
   std::fill(memory_.begin(), memory_.end(), 0.0);
   look(physics, 0);
+  reached_ = false;
 }
 
 // Every quantity looks exactly once at each moment: it counts.
@@ -138,8 +139,10 @@ void Behaviour::look(const engine::Physics& physics, double seconds) {
   time_ += seconds;
   const Moment now{physics.model(), physics.data(), seconds, time_, memory_};
   for (std::size_t i = 0; i < goals_.size(); ++i) values_[i] = goals_[i].quantity->look(now);
-  held_ = all_met() ? held_ + seconds : 0;
+  const bool met = all_met();
+  held_ = met ? held_ + seconds : 0;
   longest_ = std::max(longest_, held_);
+  reached_ = reached_ || (met && held_ >= hold_seconds_ - kRounding);
 }
 
 bool Behaviour::all_met() const {
@@ -158,12 +161,10 @@ double Behaviour::progress() const {
 void Behaviour::watch(const engine::Physics& physics) { look(physics, physics.model().opt.timestep); }
 
 void Behaviour::evaluate(const engine::Physics& physics) {
-  constexpr double kRounding = 1e-9;  // s; of a sum of many time steps
-  const bool met = all_met();
   terms_[kProgress].value = progress_weight_ * progress();
-  terms_[kHeld].value = met ? held_weight_ : 0;
+  terms_[kHeld].value = all_met() ? held_weight_ : 0;
   terms_[kControl].value = 0 - control_weight_ * squared_controls(physics, motors_);  // not -0 at rest
-  success_ = met && held_ >= hold_seconds_ - kRounding;
+  success_ = std::exchange(reached_, false);
   cut_off_ = time_ >= episode_seconds_ - kRounding;
 }
 
@@ -194,7 +195,8 @@ void Behaviour::save(ByteWriter& to) const {
   Task::save(to);
   for (const double number : values_) to.put(number);
   for (const double number : memory_) to.put(number);
-  for (const double number : {time_, held_, longest_}) to.put(number);
+  // A success that is not evaluated yet, for the infant was moved along a path, turns the time's sign.
+  for (const double number : {reached_ ? -time_ : time_, held_, longest_}) to.put(number);
 }
 
 void Behaviour::load(ByteReader& from) {
@@ -202,6 +204,8 @@ void Behaviour::load(ByteReader& from) {
   for (double& number : values_) number = from.take_finite("what a behaviour measures");
   for (double& number : memory_) number = from.take_finite("what a behaviour remembers");
   for (double* number : {&time_, &held_, &longest_}) *number = from.take_finite("how long a behaviour lasted");
+  reached_ = time_ < 0;
+  time_ = std::abs(time_);
 }
 
 }  // namespace

@@ -74,6 +74,7 @@ Clause clause_of(const Words& words, const std::string& text) {
            "expected a quantity, then \"at least\" or \"at most\" and a number, as in \"height head at least 0.2 m\"");
   }
   Clause clause;
+  clause.text = joined(words, 0, words.size());
   clause.quantity = joined(words, 0, at);
   clause.at_least = words[at + 1] == "least";
   clause.threshold = number_of(words[at + 2], text);
@@ -81,16 +82,34 @@ Clause clause_of(const Words& words, const std::string& text) {
   if (next + 1 < words.size() && words[next] == "from") {
     clause.from = number_of(words[next + 1], text);
     next += 2;
-    if (clause.at_least ? *clause.from >= clause.threshold : *clause.from <= clause.threshold) {
-      refuse(text, "progress begins beyond the threshold");
-    }
+    if (!clause.leads_up()) refuse(text, "progress begins beyond the threshold");
   }
   if (next < words.size()) clause.unit = words[next++];
   if (next < words.size()) refuse(text, "\"" + words[next] + "\" stands behind its end");
   return clause;
 }
 
+void require_time(const char* entry, double seconds) {
+  if (std::isfinite(seconds) && seconds > 0) return;
+  fail(Status::kModel, "{}: {} s, expected a finite time of more than 0 s", entry, seconds);
+}
+
 }  // namespace
+
+double episode_seconds(Span<const double> numbers) {
+  if (numbers.empty()) return kUsualSeconds;
+  if (numbers.size() != 1) {
+    fail(Status::kModel, "{}: {} numbers, {}, expected one time in s", names::kSeconds, numbers.size(),
+         join(numbers, " "));
+  }
+  require_time(names::kSeconds, numbers[0]);
+  return numbers[0];
+}
+
+std::vector<double> phase_seconds(Span<const double> numbers) {
+  for (const double seconds : numbers) require_time(names::kPhases, seconds);
+  return {numbers.begin(), numbers.end()};
+}
 
 double number_of(const std::string& word, const std::string& of) {
   double value = 0;

@@ -12,14 +12,20 @@
 #include <string>
 #include <vector>
 
+#include "base/span.h"
+
 namespace mimo::tasks {
 
 struct Clause {
-  std::string quantity;  // "tilt upper_body z", with single spaces
+  std::string text;      // "tilt upper_body z at most 30 from 90 deg": the whole, with single spaces
+  std::string quantity;  // "tilt upper_body z"
   bool at_least = true;
   double threshold = 0;
   std::optional<double> from;  // where progress towards the threshold begins; nothing: progress is all or nothing
   std::string unit;            // "": a plain number
+
+  // Whether progress begins before the threshold.
+  bool leads_up() const { return at_least ? *from < threshold : *from > threshold; }
 };
 
 // Of an episode, where a document says nothing.
@@ -37,6 +43,11 @@ Clause read_clause(const std::string& text);
 
 // The words of a quantity: what stands in parentheses is one of them, without these.
 std::vector<std::string> words_of(const std::string& quantity);
+
+// How long an episode lasts and its phases last, s, by the numbers of a document's entry; none: it has no such entry.
+// Throw Status::kModel for what is no time.
+double episode_seconds(Span<const double> numbers);
+std::vector<double> phase_seconds(Span<const double> numbers);
 
 // A word that has to be a number.
 double number_of(const std::string& word, const std::string& of);

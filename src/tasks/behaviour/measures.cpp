@@ -79,8 +79,19 @@ class Touching : public Quantity {
  public:
   Touching(const mjModel& model, const std::vector<Part>& parts, const std::vector<Part>& others)
       : Quantity(kParts), part_(static_cast<std::size_t>(model.nbody), -1), other_(part_.size(), 0) {
+    if (parts.size() > kMost) {
+      fail(Status::kModel, "{}: contacts of {} parts are to be counted, expected {} at most", names::kReached,
+           parts.size(), kMost);
+    }
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (const int body : parts[i].bodies) part_[static_cast<std::size_t>(body)] = static_cast<int>(i % kMost);
+      for (const int body : parts[i].bodies) {
+        int& part = part_[static_cast<std::size_t>(body)];
+        if (part >= 0) {
+          fail(Status::kModel, "{}: body \"{}\" is in two of the parts whose contacts are counted", names::kReached,
+               engine::name(model, engine::Kind::kBody, body));
+        }
+        part = static_cast<int>(i);
+      }
     }
     for (const Part& other : others) {
       for (const int body : other.bodies) other_[static_cast<std::size_t>(body)] = 1;

@@ -194,9 +194,6 @@ Phase phase_of(const Maker& maker, const std::string& word) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(number); ++i) {
     phase.begin += phase.seconds;
     phase.seconds = phases[i];
-    if (!(phase.seconds > 0)) {
-      fail(Status::kModel, "{}: phase {} lasts {} s, expected more than 0", names::kPhases, i + 1, phase.seconds);
-    }
   }
   return phase;
 }
@@ -236,14 +233,19 @@ QuantityPtr make_memory(Arguments&&... arguments) {
   return std::make_unique<const Made>(std::forward<Arguments>(arguments)...);
 }
 
+// One after the other, as arguments of one call would not be: states have their numbers in this order.
+QuantityPtr of_two(Maker& maker, const Words& words, bool larger) {
+  QuantityPtr one = maker.quantity(words[0]);
+  QuantityPtr other = maker.quantity(words[1]);
+  return make_memory<OfTwo>(std::move(one), std::move(other), larger);
+}
+
 constexpr Kind kMemories[] = {
     {"change", "(QUANTITY)", [](Maker& m, const Words& w) { return make_memory<Change>(m, m.quantity(w[0])); }},
     {"highest", "(QUANTITY)", [](Maker& m, const Words& w) { return make_memory<Extreme>(m, m.quantity(w[0]), 1); }},
     {"lowest", "(QUANTITY)", [](Maker& m, const Words& w) { return make_memory<Extreme>(m, m.quantity(w[0]), -1); }},
-    {"larger", "(QUANTITY) (QUANTITY)",
-     [](Maker& m, const Words& w) { return make_memory<OfTwo>(m.quantity(w[0]), m.quantity(w[1]), true); }},
-    {"smaller", "(QUANTITY) (QUANTITY)",
-     [](Maker& m, const Words& w) { return make_memory<OfTwo>(m.quantity(w[0]), m.quantity(w[1]), false); }},
+    {"larger", "(QUANTITY) (QUANTITY)", [](Maker& m, const Words& w) { return of_two(m, w, true); }},
+    {"smaller", "(QUANTITY) (QUANTITY)", [](Maker& m, const Words& w) { return of_two(m, w, false); }},
     {"time", "(CONDITION)", [](Maker& m, const Words& w) { return make_memory<Held>(m, w[0], Held::kInAll); }},
     {"longest", "(CONDITION)", [](Maker& m, const Words& w) { return make_memory<Held>(m, w[0], Held::kLongest); }},
     {"share", "(CONDITION)", [](Maker& m, const Words& w) { return make_memory<Held>(m, w[0], Held::kShareOfTime); }},

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+#include <vector>
+
 #include "base/fail.h"
 
 namespace mimo::tasks {
@@ -35,9 +39,37 @@ TEST(Clauses, AMeasureItsConditionsAndTheirTime) {
   EXPECT_FALSE(clauses.all[1].from);
   EXPECT_EQ(clauses.all[2].quantity, "share (gaze toy at most 5 deg)");
   EXPECT_EQ(clauses.all[2].unit, "");
+  EXPECT_EQ(measure.text, "tilt upper_body z at most 30 from 90 deg");
+  EXPECT_EQ(clauses.all[2].text, "share (gaze toy at most 5 deg) at least 0.5");
 }
 
 TEST(Clauses, WithoutATimeAnInstantIsEnough) { EXPECT_EQ(read_clauses("height head at least 0.2 m").seconds, 0); }
+
+template <typename Read>
+std::string refused_time(Read&& read, const std::vector<double>& numbers) {
+  try {
+    read(numbers);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::kModel);
+    return error.message();
+  }
+  return "taken";
+}
+
+TEST(Clauses, TimesAreFiniteAndMoreThanZero) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+  const auto episode = [](const std::vector<double>& numbers) { episode_seconds(numbers); };
+  const auto phases = [](const std::vector<double>& numbers) { phase_seconds(numbers); };
+  EXPECT_EQ(episode_seconds({}), kUsualSeconds);
+  EXPECT_EQ(episode_seconds(std::vector<double>{0.5}), 0.5);
+  EXPECT_EQ(phase_seconds(std::vector<double>{2, 3}), (std::vector<double>{2, 3}));
+  for (const double wrong : {0.0, -1.0, kNan, kInf}) {
+    EXPECT_NE(refused_time(episode, {wrong}).find("mimo:episode_seconds: "), std::string::npos) << wrong;
+    EXPECT_NE(refused_time(phases, {2, wrong}).find("mimo:phases: "), std::string::npos) << wrong;
+  }
+  EXPECT_EQ(refused_time(episode, {-1}), "mimo:episode_seconds: -1 s, expected a finite time of more than 0 s");
+  EXPECT_EQ(refused_time(episode, {0.05, 0}), "mimo:episode_seconds: 2 numbers, 0.05 0, expected one time in s");
+}
 
 TEST(Clauses, WordsInParenthesesAreOneWord) {
   EXPECT_EQ(words_of("gain (times (a b) at least 1) 2 1"),

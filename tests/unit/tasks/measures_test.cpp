@@ -71,6 +71,7 @@ class Watching {
   }
   const char* unit() const { return quantity_->unit(); }
   engine::Physics& physics() { return physics_; }
+  const std::vector<double>& memory() const { return memory_; }
 
  private:
   int address(const char* joint) const {
@@ -134,6 +135,17 @@ TEST(Measures, OfWhatWas) {
   EXPECT_NEAR(lowest.lift(0.4).look(0.1), 0.2, 1e-12);
   EXPECT_NEAR(Watching("larger (height ball) (height head)").lift(0.5).begin(), 1.3, 1e-12);
   EXPECT_NEAR(Watching("smaller (height ball) (height head)").lift(0.5).begin(), 0.5, 1e-12);
+}
+
+// Whatever compiles it: a state that one compiler's build saved is read by another's.
+TEST(Measures, RememberInTheOrderOfTheirWords) {
+  for (const char* kind : {"larger", "smaller"}) {
+    Watching two(std::string(kind) + " (change (height ball)) (change (height head))");
+    two.lift(0.5).begin();
+    ASSERT_EQ(two.memory().size(), 2u);
+    EXPECT_NEAR(two.memory()[0], 0.5, 1e-12) << kind << ": the ball's height, named first";
+    EXPECT_NEAR(two.memory()[1], 1.3, 1e-12) << kind << ": the head's";
+  }
 }
 
 // Up for 0.3 s, down for 0.2 s, up for 0.5 s, of 1 s.
@@ -205,8 +217,8 @@ TEST(Measures, GainComparesPhases) {
   EXPECT_NEAR(gain.look(1), 2, 1e-9) << "what comes later does not count";
 }
 
-std::string refusal(const std::string& text, bool condition = false) {
-  const engine::ModelPtr model = engine::compile(kWorld, {}, {});
+std::string refusal(const std::string& text, bool condition = false, const std::string& world = kWorld) {
+  const engine::ModelPtr model = engine::compile(world, {}, {});
   const body::Body body = body::find_body(*model, "");
   Maker maker(*model, body, {});
   try {
@@ -227,12 +239,26 @@ TEST(Measures, WhatMeansNothingIsNamed) {
                                    {"tilt body x", "one part is expected"},
                                    {"joint lift", "no hinge named \"lift\""},
                                    {"contacts body-body ground", "leaves no part"},
+                                   {"contacts body,head ground", "body \"head\" is in two of the parts"},
                                    {"larger (height head) (tilt head z)", "cannot be compared"},
                                    {"gain (height head at least 1 m) 2 1", "has 0 phases"},
                                    {"time (height head)", "\"at least\" or \"at most\""}}) {
     EXPECT_NE(refusal(text).find(said), std::string::npos) << text << ": " << refusal(text);
   }
   EXPECT_NE(refusal("height head at least 1 deg", true).find("unit \"deg\", expected \"m\""), std::string::npos);
+}
+
+// The world, the ball and the door are outside: 253 more are 256 parts.
+TEST(Measures, ContactsOfTooManyPartsAreRefused) {
+  const auto with = [](int more) {
+    std::string world = kWorld, bodies;
+    for (int i = 0; i < more; ++i) bodies += "<body><geom size='0.1'/></body>";
+    return world.insert(world.find("</worldbody>"), bodies);
+  };
+  EXPECT_EQ(refusal("contacts outside hip", false, with(253)), "taken");
+  const std::string said = refusal("contacts outside hip", false, with(254));
+  EXPECT_NE(said.find("257 parts"), std::string::npos) << said;
+  EXPECT_NE(said.find("256 at most"), std::string::npos) << said;
 }
 
 TEST(Goals, ProgressGoesFromWhereItBeginsToTheThreshold) {
