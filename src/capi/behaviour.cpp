@@ -2,6 +2,7 @@
 #include "mimo/experimental/behaviour.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/format.h"
@@ -18,26 +19,21 @@ namespace {
 // Texts of a description, which the scene keeps.
 enum Told { kAbout, kMeasure, kUnit, kConditions, kNorm, kSource, kToldCount };
 
-std::string as_text(const tasks::Clause& clause) {
-  const char* space = clause.unit.empty() ? "" : " ";
-  return format("{} at {} {:g}{}{}", clause.quantity, clause.at_least ? "least" : "most", clause.threshold, space,
-                clause.unit);
-}
-
 std::vector<std::string> texts_of(const scene::Scene& scene, const tasks::Clauses& clauses) {
   std::vector<std::string> texts(kToldCount);
   texts[kAbout] = scene.custom_text(names::kBehaviour);
   texts[kMeasure] = clauses.all.front().quantity;
   texts[kUnit] = clauses.all.front().unit;
   std::vector<std::string> conditions;
-  for (std::size_t i = 1; i < clauses.all.size(); ++i) conditions.push_back(as_text(clauses.all[i]));
+  for (std::size_t i = 1; i < clauses.all.size(); ++i) conditions.push_back(clauses.all[i].text);
   texts[kConditions] = join(conditions, "; ");
   texts[kNorm] = scene.custom_text(names::kNormAbout);
   texts[kSource] = scene.custom_text(names::kNormSource);
   return texts;
 }
 
-mimo_behaviour described(SceneObject& scene) {
+// Its texts are those that `texts` becomes.
+mimo_behaviour described(const SceneObject& scene, std::vector<std::string>& texts) {
   const scene::Scene& document = scene.blueprint.current().scene;
   const std::string reached = document.custom_text(names::kReached);
   if (reached.empty()) {
@@ -45,8 +41,8 @@ mimo_behaviour described(SceneObject& scene) {
          names::kReached);
   }
   const tasks::Clauses clauses = tasks::read_clauses(reached);
-  scene.told = texts_of(document, clauses);
-  const auto text = [&](Told which) { return scene.told[which].c_str(); };
+  texts = texts_of(document, clauses);
+  const auto text = [&](Told which) { return texts[which].c_str(); };
   mimo_behaviour ours{};
   ours.at_most = clauses.all.front().at_least ? 0 : 1;
   ours.about = text(kAbout);
@@ -55,8 +51,7 @@ mimo_behaviour described(SceneObject& scene) {
   ours.conditions = text(kConditions);
   ours.threshold = clauses.all.front().threshold;
   ours.hold_seconds = clauses.seconds;
-  const std::vector<double> seconds = document.custom_numbers(names::kSeconds);
-  ours.episode_seconds = seconds.size() == 1 ? seconds[0] : tasks::kUsualSeconds;
+  ours.episode_seconds = tasks::episode_seconds(document.custom_numbers(names::kSeconds));
   const std::vector<double> norm = document.custom_numbers(names::kNorm);
   if (norm.size() == 3) {
     ours.norm_early = norm[0];
@@ -77,6 +72,8 @@ using namespace mimo::capi;
 extern "C" mimo_status mimo_scene_behaviour(mimo_scene* scene, mimo_behaviour* behaviour) noexcept {
   return guard(scene, [&] {
     SceneObject& object = open(scene);
-    write_described(behaviour, described(object), "behaviour");
+    std::vector<std::string> texts;
+    write_described(behaviour, described(object, texts), "behaviour");
+    object.told = std::move(texts);  // not before: after a failure, texts of the earlier call are still read
   });
 }

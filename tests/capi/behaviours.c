@@ -16,7 +16,7 @@ static void check_a_built_in_behaviour(void) {
   CHECK_TEXT("tilt upper_body z", sit.measure);
   CHECK_TEXT("deg", sit.unit);
   CHECK(sit.at_most == 1 && sit.threshold == 45);
-  CHECK(strstr(sit.conditions, "contacts hands,forearms ground at most 0 parts") != NULL);
+  CHECK(strstr(sit.conditions, "contacts hands,forearms ground at most 0 from 2 parts") != NULL);
   CHECK(sit.hold_seconds == 10 && sit.episode_seconds == 15);
   CHECK(sit.norm_early == 3.8 && sit.norm_late == 9.2);
   CHECK(strstr(sit.norm_source, "WHO") != NULL);
@@ -40,7 +40,7 @@ static void check_all_scenes(void) {
 }
 
 static void check_a_document_of_ones_own(void) {
-  mimo_behaviour it = {.struct_size = sizeof it};
+  mimo_behaviour it = {.struct_size = sizeof it}, none = {.struct_size = 0};
   mimo_scene* scene = scene_of(NULL,
                                "<mujoco><custom><text name='mimo:reached' data='height head at least 0.5 from 0.2 m'/>"
                                "</custom></mujoco>");
@@ -52,6 +52,26 @@ static void check_a_document_of_ones_own(void) {
   mimo_scene_destroy(scene);
   scene = scene_of(NULL, "<mujoco><custom><text name='mimo:reached' data='height head above 2 m'/></custom></mujoco>");
   CHECK_FAILS(MIMO_E_MODEL, "\"at least\" or \"at most\"", mimo_scene_behaviour(scene, &it));
+  mimo_scene_destroy(scene);
+  scene = scene_of(NULL,
+                   "<mujoco><custom><text name='mimo:reached' data='height head at least 0.5 m;"
+                   "  tilt head  z at most 12.3456789 from 90 deg; share (tilt head z at most 5 deg) at least 0.5'/>"
+                   "<numeric name='mimo:episode_seconds' data='3'/></custom></mujoco>");
+  CHECK_OK(mimo_scene_behaviour(scene, &it));
+  CHECK_TEXT("tilt head z at most 12.3456789 from 90 deg; share (tilt head z at most 5 deg) at least 0.5",
+             it.conditions);
+  /* Whatever fails, texts of the call before are still there. */
+  CHECK_FAILS(MIMO_E_INVALID_ARGUMENT, "behaviour is NULL", mimo_scene_behaviour(scene, NULL));
+  CHECK_TEXT("tilt head z at most 12.3456789 from 90 deg; share (tilt head z at most 5 deg) at least 0.5",
+             it.conditions);
+  CHECK_FAILS(MIMO_E_STRUCT_SIZE, "behaviour", mimo_scene_behaviour(scene, &none));
+  CHECK_TEXT("height head", it.measure);
+  CHECK_TEXT("m", it.unit);
+  mimo_scene_destroy(scene);
+  scene = scene_of(NULL,
+                   "<mujoco><custom><text name='mimo:reached' data='height head at least 0.5 m'/>"
+                   "<numeric name='mimo:episode_seconds' data='-1'/></custom></mujoco>");
+  CHECK_FAILS(MIMO_E_MODEL, "mimo:episode_seconds: -1 s, expected", mimo_scene_behaviour(scene, &it));
   mimo_scene_destroy(scene);
   scene = scene_of("reach", NULL);
   CHECK_FAILS(MIMO_E_NOT_FOUND, "describes no behaviour", mimo_scene_behaviour(scene, &it));

@@ -27,7 +27,7 @@ def test_twenty_and_more_have_names_in_gymnasium():
 def test_a_behaviour_says_what_it_measures_and_when_infants_show_it():
     stand = mimo.Scene("stand").behaviour()
     assert (stand.measure, stand.unit, stand.at_most, stand.hold_seconds) == ("height head", "m", False, 10)
-    assert "contacts feet ground at least 2 parts" in stand.conditions
+    assert "contacts feet ground at least 2 from 0 parts" in stand.conditions
     assert (stand.norm.early, stand.norm.late) == (6.9, 16.9)  # WHO's window
     assert "WHO" in stand.norm.source
     unknown = mimo.Scene("lift").behaviour().norm
