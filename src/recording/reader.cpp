@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "base/fail.h"
@@ -31,17 +33,26 @@ void require_plain_file(const std::string& path) {
   if (!fs::is_regular_file(status)) fail(Status::kFile, "cannot read {}: it is not a plain file", path);
 }
 
+// Whether the file says that somebody writes it: in byte 11, the flags of HDF5's superblock. HDF5 1.14 reads any file
+// as if it were growing, where no locks exist; the beginning of a whole recording would pass for one.
+bool is_being_written(const std::string& path) {
+  std::ifstream file(fs::u8path(path), std::ios::binary);
+  std::array<char, 12> begin{};
+  return file.read(begin.data(), begin.size()) && begin[11] != 0;
+}
+
 hdf5::Handle open_file(const hdf5::Library& h5, const std::string& path) {
   const hdf5::Turn turn;
   const hdf5::Id file = h5.OpenFile(path.c_str(), hdf5::kReadOnly, hdf5::kDefault);
   if (file >= 0) return hdf5::Handle(file, h5.CloseFile);
   if (hdf5::last_reason().no_memory) fail(Status::kOutOfMemory, "cannot read {}: HDF5 has no memory", path);
-  // Of a run that goes on, or that was killed.
-  const hdf5::Handle access(h5.CreateProperties(h5.file_access), h5.CloseProperties);
-  h5.SetReadAttempts(access.id(), kReadAttempts);
-  const hdf5::Id growing = h5.OpenFile(path.c_str(), hdf5::kReadOnly | hdf5::kSwmrRead, access.id());
-  if (growing < 0) fail(Status::kFile, "{} is not a recording, or is truncated: HDF5 cannot open it", path);
-  return hdf5::Handle(growing, h5.CloseFile);
+  if (is_being_written(path)) {  // by a run that goes on, or that was killed
+    const hdf5::Handle access(h5.CreateProperties(h5.file_access), h5.CloseProperties);
+    h5.SetReadAttempts(access.id(), kReadAttempts);
+    const hdf5::Id growing = h5.OpenFile(path.c_str(), hdf5::kReadOnly | hdf5::kSwmrRead, access.id());
+    if (growing >= 0) return hdf5::Handle(growing, h5.CloseFile);
+  }
+  fail(Status::kFile, "{} is not a recording, or is truncated: HDF5 cannot open it", path);
 }
 
 // A product that a size_t holds; 0 where it does not.
