@@ -304,4 +304,4 @@ def test_page_without_a_recording_or_with_a_damaged_one_says_so(folder, exported
     damaged = folder / "damaged.html"
     damaged.write_text(text[: start + 4000] + text[text.index("</script>", start) :], encoding="utf-8")
     with opened(damaged) as shown:
-        assert "stand up.h5 is an hdf5 file, but not a recording" in shown.inner_text("#message").lower()
+        assert "stand up.h5 is not a recording, or is truncated" in shown.inner_text("#message").lower()
