@@ -1,12 +1,12 @@
 """Learned policies in files: what they compute, what is refused, and that the program reads them alike."""
 
 import json
-import os
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+from recorded import program
 
 import mimo
 
@@ -95,14 +95,9 @@ def test_another_layout_is_refused(options, said):
 # ---- The program --------------------------------------------------------------------------------------------------
 
 
-def program(folder, *arguments):
-    mimo_program = os.environ.get("MIMO_PROGRAM") or str(Path(mimo.library_path()).parent.parent / "bin/mimo")
-    if not Path(mimo_program).exists():
-        pytest.skip("the program mimo is not built")
+def run(folder, *arguments):
     quiet = ["--vision", "off", "--touch", "off", "--out", str(folder)]
-    return subprocess.run(
-        [mimo_program, "run", *quiet, *map(str, arguments)], capture_output=True, text=True, timeout=600
-    )
+    return subprocess.run([program(), "run", *quiet, *map(str, arguments)], capture_output=True, text=True, timeout=600)
 
 
 def constant(world, path, value):
@@ -116,7 +111,7 @@ def constant(world, path, value):
 def test_the_program_acts_as_the_file_says(tmp_path):
     world = mimo.World("reach")
     constant(world, tmp_path / "still.json", 0.5)
-    said = program(tmp_path, "--policy", tmp_path / "still.json", "--json", "--seed", 3)
+    said = run(tmp_path, "--policy", tmp_path / "still.json", "--json", "--seed", 3)
     assert said.returncode == 0, said.stderr
     told = json.loads(said.stdout)
     world.reset(seed=3)
@@ -132,7 +127,7 @@ def test_the_program_acts_as_the_file_says(tmp_path):
 
 
 def test_the_program_reaches_and_says_how_fast_it_thinks(tmp_path):
-    told = [json.loads(program(tmp_path, "--policy", REACH, "--json", "--seed", seed).stdout) for seed in range(4)]
+    told = [json.loads(run(tmp_path, "--policy", REACH, "--json", "--seed", seed).stdout) for seed in range(4)]
     assert sum(one["outcome"] == "success" for one in told) >= 2
     assert all(one["policy_us"] > 0 for one in told)
     assert all(one["measure"] is None for one in told)  # reach measures what its own terms say
@@ -144,14 +139,14 @@ def test_the_program_holds_a_posture_for_ten_seconds(tmp_path, scene, age):
     file = POLICIES / f"{scene}.json"
     assert file.stat().st_size < 200_000
     episodes = ["--scene", scene, "--age", age, "--delays", "none", "--json", "--seed"]
-    told = [json.loads(program(tmp_path, "--policy", file, *episodes, seed).stdout) for seed in range(50, 54)]
+    told = [json.loads(run(tmp_path, "--policy", file, *episodes, seed).stdout) for seed in range(50, 54)]
     assert sum(one["outcome"] == "success" for one in told) >= 3
     assert all(one["measure"]["hold_seconds"] == 10 for one in told)
     assert max(one["measure"]["held_seconds"] for one in told) >= 10
 
 
 def test_the_program_prints_what_a_behaviour_measures(tmp_path):
-    told = json.loads(program(tmp_path, "--scene", "sit", "--json", "--seconds", "0.1").stdout)
+    told = json.loads(run(tmp_path, "--scene", "sit", "--json", "--seconds", "0.1").stdout)
     assert told["measure"]["name"] == "tilt upper_body z"
     assert told["measure"]["unit"] == "deg"
     assert told["measure"]["threshold"] == told["goal"][0]
@@ -182,7 +177,7 @@ def test_the_program_prints_what_a_behaviour_measures(tmp_path):
 def test_the_program_names_what_is_wrong(tmp_path, change, arguments, said):
     content = {**json.loads(REACH.read_text()), **change}
     (tmp_path / "policy.json").write_text(json.dumps(content))
-    refused = program(tmp_path, "--policy", tmp_path / "policy.json", "--json", *arguments)
+    refused = run(tmp_path, "--policy", tmp_path / "policy.json", "--json", *arguments)
     assert refused.returncode == 1
     assert said in refused.stderr
     assert refused.stderr.count("\n") == 1
@@ -192,13 +187,13 @@ def test_values_nested_without_end_are_refused(tmp_path):
     lists = "[" * 300_000 + "]" * 300_000
     (tmp_path / "policy.json").write_text(REACH.read_text().replace('"version": 1', f'"version": {lists}'))
     assert lists in (tmp_path / "policy.json").read_text()
-    refused = program(tmp_path, "--policy", tmp_path / "policy.json")
+    refused = run(tmp_path, "--policy", tmp_path / "policy.json")
     assert refused.returncode == 1
     assert "nested more than 16 times" in refused.stderr
 
 
 def test_no_json_is_refused(tmp_path):
     (tmp_path / "policy.json").write_text("reach!")
-    refused = program(tmp_path, "--policy", tmp_path / "policy.json")
+    refused = run(tmp_path, "--policy", tmp_path / "policy.json")
     assert refused.returncode == 1
     assert "no JSON object" in refused.stderr
