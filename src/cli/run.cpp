@@ -249,8 +249,8 @@ void Run::print_report() const {
 
 void add_run(CLI::App& program) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = program.add_subcommand(
-      "run", "Move at random or as learned, with all senses on; write pictures and a report");
+  CLI::App* command =
+      program.add_subcommand("run", "Move at random or as learned, with all senses on; write pictures and a report");
   add_scene_options(*command, options->world);
   add_maturity_options(*command, options->world.age);
   add_actuation_option(*command, options->world);
