@@ -27,8 +27,9 @@ target_link_libraries(mujoco_sources PRIVATE mujoco::ccd mujoco::lodepng mujoco:
                       mujoco::tinyobjloader mujoco::tinyxml2)
 
 # src/engine/functions_web.cpp has what is called instead.
-set(mujoco_wrapped exp log pow sin cos tan asin acos atan2)
-list(TRANSFORM mujoco_wrapped PREPEND -Wl,--wrap=)
+file(STRINGS ${PROJECT_SOURCE_DIR}/src/base/substitutes.h mujoco_wrapped REGEX "^#define MIMO_SUBSTITUTES_OF_")
+string(REGEX MATCHALL "DO\\([a-z0-9]+\\)" mujoco_wrapped "${mujoco_wrapped}")
+list(TRANSFORM mujoco_wrapped REPLACE "DO\\((.*)\\)" "-Wl,--wrap=\\1")
 
 add_library(mujoco::mujoco INTERFACE IMPORTED)
 set_target_properties(mujoco::mujoco PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${mujoco_ROOT}/include
