@@ -73,7 +73,7 @@ def learned(world, file):
     policy = mimo.Policy.load(file)
     policy.attach(world)
     while not (world.terminated or world.truncated):
-        yield policy.act(world.observation, world.action_low, world.action_high)
+        yield policy.act(world.observation, world.action_low, world.action_high, world.time)
 
 
 def episode(name):

@@ -22,7 +22,7 @@ def episode(policy, age):
     step = world.timestep * world.frame_skip
     for moment in np.linspace(0, 10, MOMENTS):
         while world.time < moment - step / 2:
-            world.step(policy.act(world.observation, world.action_low, world.action_high))
+            world.step(policy.act(world.observation, world.action_low, world.action_high, world.time))
         yield moment, Image.fromarray(world.render(width=2 * SIDE, height=2 * SIDE, **VIEW))
 
 

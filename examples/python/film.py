@@ -19,7 +19,7 @@ def record(policy, age, seed, path):
     world.reset(seed=seed)
     with mimo.Recorder(world, path, replace=True):
         while not (world.terminated or world.truncated):
-            world.step(policy.act(world.observation, world.action_low, world.action_high))
+            world.step(policy.act(world.observation, world.action_low, world.action_high, world.time))
     return mimo.Outcome(world.outcome).name.lower()
 
 

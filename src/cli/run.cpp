@@ -104,7 +104,7 @@ std::vector<float> Run::next_action(RandomActions& random) {
   if (options_.spontaneous) return spontaneous_actions(env_);
   if (!policy_) return random.draw();
   const auto start = Clock::now();
-  const std::vector<float>& action = policy_->act(block_);
+  const std::vector<float>& action = policy_->act(block_, env_.time());
   thought_ += seconds_since(start);
   return action;
 }

@@ -1,49 +1,50 @@
-// A learned policy, as docs/guide/policies.md describes its file: what of the observation it reads, a small network,
-// and the actions that it gives.
+// A learned policy that acts in a world, as docs/guide/policies.md describes it.
 #pragma once
 
+#include <cstdint>
 #include <mimo/mimo.hpp>
 #include <string>
 #include <vector>
+
+#include "programs/policy_file.h"
 
 namespace cli {
 
 class Policy {
  public:
   // Throws a Failure for a file that cannot be read or is no policy.
-  explicit Policy(const std::string& file);
+  explicit Policy(const std::string& file) : name_(file), file_(read_policy(file)) {}
 
   // The scene that it was learned in; "" where the file does not say.
-  const std::string& scene() const { return scene_; }
+  const std::string& scene() const { return file_.scene; }
 
-  // Finds its fields in a world's layout. Throws a Failure that names what does not fit: another body, other senses or
-  // motors, another length of a step.
+  // Finds its fields and joints in a world's layout. Throws a Failure that names what does not fit: another body, other
+  // senses or motors, another length of a step.
   void attach(const mimo::Env& env);
-  // What it does, given an observation of the world that it is attached to.
-  const std::vector<float>& act(const mimo::Block& block);
+  // What it does, given an observation of the world that it is attached to and the seconds since the episode began. An
+  // earlier time than before is another episode's.
+  const std::vector<float>& act(const mimo::Block& block, double time);
 
  private:
-  struct Field {
-    std::string name;
-    std::size_t count;
-    mimo_field place{};  // in the world's block
-  };
-  struct Layer {
-    std::size_t rows, columns;
-    std::vector<float> weights, bias;  // weights column after column: sums of all rows then grow side by side
-    std::vector<float> out;
-  };
   struct Bounds {
     float low, high;
   };
 
-  std::string file_, scene_;
-  double step_seconds_ = 0;  // 0: any
-  float clip_ = 10;
-  std::vector<Field> fields_;
-  std::vector<std::string> actions_;
-  std::vector<float> mean_, deviation_, seen_;
-  std::vector<Layer> layers_;
+  void attach_step(double step);
+  void attach_actions(const std::vector<mimo_action>& actions);
+  void attach_reflex(const mimo::Layout& layout);
+  void think(const mimo::Block& block, double time);
+  void pull(const mimo::Block& block);
+
+  std::string name_;
+  PolicyFile file_;
+  double step_ = 0;
+  std::int64_t hold_ = 1, last_ = 0;  // steps: of an output, and since the episode began
+  std::vector<mimo_field> places_;    // of the fields in the world's block
+  mimo_field angles_{}, velocities_{};
+  std::vector<std::size_t> joints_;  // of the reflex: elements of both
+  std::vector<float> seen_;
+  std::vector<std::vector<float>> rows_;  // what each layer gave
   std::vector<Bounds> bounds_;
   std::vector<float> commands_;
 };

@@ -60,8 +60,8 @@ def test_what_does_not_fit_together_is_named(change, said):
 
 
 def test_other_files_are_refused(tmp_path):
-    (tmp_path / "other.json").write_text('{"format": "mimo-policy", "version": 2}')
-    with pytest.raises(ValueError, match="no mimo-policy of version 1"):
+    (tmp_path / "other.json").write_text('{"format": "mimo-policy", "version": 3}')
+    with pytest.raises(ValueError, match=r"other\.json: its version is 3, and this library reads versions 1 and 2"):
         mimo.Policy.load(tmp_path / "other.json")
 
 
@@ -165,7 +165,8 @@ def test_the_program_prints_what_a_behaviour_measures(tmp_path):
             'field "proprioception/control" has 27 numbers in this world, and 8 in the policy',
         ),
         ({"fields": [["proprioception/limit", 212 + 8]]}, [], 'field "proprioception/limit" has 47 numbers'),
-        ({"version": 2}, [], "its version is 2, and this program reads version 1"),
+        ({"version": 3}, [], "its version is 3, and this program reads versions 1 and 2"),
+        ({"hold_s": 0.05}, [], '"hold_s" needs version 2, and its version is 1'),
         ({"format": "onnx"}, [], '"format" is not "mimo-policy"'),
         ({"mean": "AAAA"}, [], '"mean" holds 3 bytes of base 64, expected'),
         ({"mean": "!"}, [], '"mean" holds 0 bytes'),

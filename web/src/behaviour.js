@@ -1,43 +1,150 @@
 /** What the infant does: nothing, random movements, or what a network has learned. */
 
-/** Numbers of single precision in base 64. */
-function numbers(text) {
+const FORMAT = "mimo-policy";
+const NEW = ["hold_s", "clock_s", "reflex"]; // members of version 2
+const MEMBERS = ["format", "version", "what", "scene", "step_seconds", "fields", "actions", "mean", "deviation", "clip", "layers", "how", ...NEW];
+const REFLEX = ["stiffness", "damping", "joints", "start"];
+const MOST_PERIODS = 64;
+const [ANGLES, VELOCITIES] = ["proprioception/position", "proprioception/velocity"]; // what a reflex feels
+
+function refuse(why) {
+  throw new Error(`the policy is refused: ${why}`);
+}
+
+function refuseUnknown(owner, told, known) {
+  for (const name of Object.keys(told)) {
+    if (!known.includes(name)) refuse(`${owner} has no member "${name}"; expected ${known.join(", ")}`);
+  }
+}
+
+function checkMembers(content) {
+  if (content?.format !== FORMAT) refuse(`"format" is not "${FORMAT}"`);
+  if (content.version === 2) return refuseUnknown("a policy", content, MEMBERS);
+  if (content.version !== 1) refuse(`its version is ${JSON.stringify(content.version)}, and this page reads versions 1 and 2`);
+  for (const name of NEW) {
+    if (name in content) refuse(`"${name}" needs version 2, and its version is 1`);
+  }
+}
+
+function list(name, value, count = value?.length) {
+  if (!Array.isArray(value)) refuse(`"${name}" is ${JSON.stringify(value)}, expected a list`);
+  if (value.length !== count) refuse(`"${name}" has ${value.length} elements, expected ${count}, one for each action`);
+  return value;
+}
+
+function positive(name, value, least = Number.MIN_VALUE) {
+  if (!(typeof value === "number" && Number.isFinite(Math.fround(value)) && value >= least)) {
+    refuse(`"${name}" is ${JSON.stringify(value)}, expected a number ${least === 0 ? "from 0 on" : "above 0"}`);
+  }
+  return value;
+}
+
+function reflexOf(told, actions) {
+  if (told === undefined) return undefined;
+  if (typeof told !== "object" || told === null || Array.isArray(told)) refuse(`"reflex" is ${JSON.stringify(told)}, expected an object`);
+  refuseUnknown('"reflex"', told, REFLEX);
+  positive("stiffness", told.stiffness);
+  positive("damping", told.damping, 0);
+  for (const name of list("joints", told.joints, actions.length)) {
+    if (typeof name !== "string") refuse(`"joints" holds ${JSON.stringify(name)}, expected names`);
+  }
+  for (const angle of list("start", told.start, actions.length)) {
+    if (typeof angle !== "number" || !Number.isFinite(Math.fround(angle))) refuse(`"start" holds ${JSON.stringify(angle)}, expected a finite number`);
+  }
+  return told;
+}
+
+/** So many numbers of single precision in base 64. */
+function numbers(name, text, count) {
   const bytes = Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
-  return new Float32Array(bytes.buffer);
+  if (bytes.length !== 4 * count) refuse(`"${name}" holds ${bytes.length} bytes of base 64, expected ${4 * count}: ${count} numbers`);
+  const values = new Float32Array(bytes.buffer);
+  if (!values.every(Number.isFinite)) refuse(`"${name}" holds what is no finite number`);
+  return values;
 }
 
 /** A learned network, in the format of docs/guide/policies.md. */
 export class Policy {
   constructor(content) {
-    if (content.format !== "mimo-policy" || content.version !== 1) throw new Error("the policy is no mimo-policy of version 1");
-    this.stepSeconds = content.step_seconds ?? 0;
-    this.clip = content.clip ?? 10;
-    this.fields = content.fields;
-    this.names = content.actions;
-    [this.mean, this.deviation] = [numbers(content.mean), numbers(content.deviation)];
-    this.layers = content.layers.map(({ rows, weights, bias }) => ({ rows, weights: numbers(weights), bias: numbers(bias), out: new Float32Array(rows) }));
-    this.seen = new Float32Array(this.mean.length);
+    checkMembers(content);
+    this.scene = content.scene ?? "";
+    this.stepSeconds = positive("step_seconds", content.step_seconds ?? 0, 0);
+    this.clip = positive("clip", content.clip ?? 10);
+    this.fields = list("fields", content.fields);
+    this.names = list("actions", content.actions);
+    this.holdSeconds = content.hold_s === undefined ? undefined : positive("hold_s", content.hold_s);
+    this.periods = list("clock_s", content.clock_s ?? []).map((period) => positive("clock_s", period));
+    if (this.periods.length > MOST_PERIODS) refuse(`"clock_s" has ${this.periods.length} periods, expected at most ${MOST_PERIODS}`);
+    this.reflex = reflexOf(content.reflex, this.names);
+    let width = this.fields.reduce((sum, [, count]) => sum + count, 2 * this.periods.length);
+    [this.mean, this.deviation] = [numbers("mean", content.mean, width), numbers("deviation", content.deviation, width)];
+    if (!this.deviation.every((one) => one > 0)) refuse('"deviation" holds a number that is not above 0');
+    this.seen = new Float32Array(width);
+    this.layers = list("layers", content.layers).map((layer) => {
+      if (content.version > 1) refuseUnknown("a layer", layer, ["rows", "weights", "bias"]);
+      const { rows, weights, bias } = layer;
+      const found = { rows, weights: numbers("weights", weights, rows * width), bias: numbers("bias", bias, rows), out: new Float32Array(rows) };
+      width = rows;
+      return found;
+    });
+    if (this.layers.length === 0 || width !== this.names.length) refuse(`its last layer has ${width} rows, and it has ${this.names.length} actions`);
+    this.last = 0;
   }
 
-  /** Whether it knows what a world's infant feels and does. */
+  /** Whether it knows what a world's infant feels and does. If so, it can act in that world from now on. */
   fits({ layout }) {
     const shapes = new Map(layout.fields.map(({ name, shape }) => [name, shape.reduce((all, one) => all * one, 1)]));
-    return (
+    const hold = this.holdSeconds === undefined ? 1 : this.holdSeconds / layout.stepSeconds;
+    const joints = this.#joints(layout, shapes);
+    const fits =
       (this.stepSeconds === 0 || Math.abs(this.stepSeconds - layout.stepSeconds) < 1e-9) &&
+      (Math.round(hold) >= 1 && Math.abs(hold - Math.round(hold)) <= 1e-6 * hold) &&
       this.fields.every(([name, count]) => shapes.get(name) === count) &&
       this.names.length === layout.actions.length &&
-      layout.actions.every(({ name }, i) => name === this.names[i])
-    );
+      layout.actions.every(({ name }, i) => name === this.names[i]) &&
+      joints.every((joint) => joint >= 0);
+    if (fits) [this.hold, this.joints] = [Math.round(hold), joints];
+    return fits;
   }
 
+  /** Where the reflex feels each action's joint; -1: nowhere. */
+  #joints(layout, shapes) {
+    if (!this.reflex) return [];
+    if (!shapes.has(ANGLES) || shapes.get(VELOCITIES) !== shapes.get(ANGLES)) return [-1];
+    const labels = Array.from({ length: shapes.get(ANGLES) }, (_, i) => layout.label(ANGLES, i));
+    return this.reflex.joints.map((name) => labels.indexOf(name));
+  }
+
+  /** An earlier time of the world than before is another episode's. */
   act(world, action) {
+    const time = world.time();
+    const step = Math.round(time / world.layout.stepSeconds);
+    const sameHold = Math.floor(step / this.hold) === Math.floor(this.last / this.hold);
+    if (step % this.hold === 0 || !sameHold || step < this.last) this.#think(world, time);
+    this.last = step;
+    const { out } = this.layers.at(-1);
+    world.layout.actions.forEach(({ low, high }, i) => {
+      action[i] = this.reflex
+        ? Math.max(low, Math.min(high, this.#pull(world.observation, i, out[i])))
+        : low + ((high - low) * (Math.max(-1, Math.min(1, out[i])) + 1)) / 2;
+    });
+  }
+
+  #pull(observation, i, goal) {
+    const { stiffness, damping, start } = this.reflex;
+    const joint = this.joints[i];
+    return stiffness * (start[i] + goal - observation[ANGLES][joint]) - damping * observation[VELOCITIES][joint];
+  }
+
+  /** Renews what the layers give. */
+  #think({ observation }, time) {
     let at = 0;
-    for (const [name] of this.fields) {
-      for (const value of world.observation[name]) {
-        this.seen[at] = Math.max(-this.clip, Math.min(this.clip, (value - this.mean[at]) / this.deviation[at]));
-        at++;
-      }
-    }
+    const see = (value) => {
+      this.seen[at] = Math.max(-this.clip, Math.min(this.clip, (value - this.mean[at]) / this.deviation[at]));
+      at++;
+    };
+    for (const [name] of this.fields) observation[name].forEach(see);
+    for (const period of this.periods) [Math.sin, Math.cos].forEach((turned) => see(turned((2 * Math.PI * time) / period)));
     let row = this.seen;
     this.layers.forEach(({ rows, weights, bias, out }, layer) => {
       for (let i = 0; i < rows; i++) {
@@ -46,9 +153,6 @@ export class Policy {
         out[i] = layer < this.layers.length - 1 ? Math.tanh(sum) : sum;
       }
       row = out;
-    });
-    world.layout.actions.forEach(({ low, high }, i) => {
-      action[i] = low + ((high - low) * (Math.max(-1, Math.min(1, row[i])) + 1)) / 2;
     });
   }
 }

@@ -3,25 +3,50 @@
 from __future__ import annotations
 
 import base64
+import binascii
 import json
+import math
 import os
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .arguments import meant
+
 if TYPE_CHECKING:
     from .world import World
 
-FORMAT, VERSION = "mimo-policy", 1
+FORMAT, VERSIONS = "mimo-policy", (1, 2)
 CLIP = 10.0  # scaled observations go no further, by default
-Layer = Tuple[NDArray[np.float32], NDArray[np.float32]]
+MOST_PERIODS, LARGEST = 64, float(np.finfo(np.float32).max)
+NEW = ("hold_s", "clock_s", "reflex")  # members of version 2
+NEEDED = ("fields", "actions", "mean", "deviation", "layers")
+MEMBERS = ("format", "version", "what", "scene", "step_seconds", "clip", "how", *NEEDED, *NEW)
+LAYER = ("rows", "weights", "bias")
+ANGLES, VELOCITIES = "proprioception/position", "proprioception/velocity"  # what a reflex feels
+Numbers = NDArray[np.float32]
+Layer = Tuple[Numbers, Numbers]
+
+
+class StretchReflex(NamedTuple):
+    """Pulls each action's joint to a goal: stiffness (goal - angle) - damping velocity, in the action's unit.
+
+    `joints` are labels of proprioception/position, one for each action; goals count from `start`, rad.
+    """
+
+    stiffness: float
+    damping: float
+    joints: Sequence[str]
+    start: Sequence[float]
 
 
 class Policy:
     """A small network that gives actions: tanh between its layers, and the last one clipped to the actions' bounds.
 
-    `fields` are names and counts of the observation's fields, one after the other; `mean` and `deviation` scale them.
+    `fields` are names and counts of the observation's fields, one after the other; `clock_s` are periods whose sine and
+    cosine are read after them; `mean` and `deviation` scale all of these. What the network gives holds for `hold_s`, or
+    one step. With a `reflex` it gives goals of joints, and the reflex makes an action of them in every step.
     """
 
     def __init__(
@@ -35,19 +60,33 @@ class Policy:
         scene: str = "",
         step_seconds: float = 0.0,
         clip: float = CLIP,
+        hold_s: Optional[float] = None,
+        clock_s: Sequence[float] = (),
+        reflex: Union[StretchReflex, Mapping[str, Any], None] = None,
         what: str = "",
-        how: Optional[Mapping[str, Any]] = None,
+        how: Any = None,
     ) -> None:
         self.fields = [(str(name), int(count)) for name, count in fields]
         self.actions = [str(name) for name in actions]
         self.layers: List[Layer] = [(_finite("weights", w), _finite("bias", b)) for w, b in layers]
         self.mean, self.deviation = _finite("mean", mean), _finite("deviation", deviation)
-        self.scene, self.step_seconds, self.clip = scene, float(step_seconds), float(clip)
-        self.what, self.how = what, dict(how or {})
+        self.scene, self.clip = scene, _positive("clip", clip)
+        self.step_seconds = _positive("step_seconds", step_seconds, or_zero=True)
+        self.hold_s = None if hold_s is None else _positive("hold_s", hold_s)
+        self.clock_s = [_positive("clock_s", period) for period in _listed("clock_s", clock_s)]
+        self.what, self.how = what, {} if how is None else how
         self._check()
+        self.reflex = None if reflex is None else self._checked(reflex)
+        self._places: List[int] = []  # of the reflex's joints
+        self._step = self.step_seconds
+        self._hold, self._last, self._given = 1, 0, self.layers[-1][1]
+        if self._step > 0:
+            self._hold = self._steps_held()
 
     def _check(self) -> None:
-        width = sum(count for _, count in self.fields)
+        if len(self.clock_s) > MOST_PERIODS:
+            raise ValueError(f"clock_s has {len(self.clock_s)} periods, expected at most {MOST_PERIODS}")
+        width = sum(count for _, count in self.fields) + 2 * len(self.clock_s)
         for name, values in (("mean", self.mean), ("deviation", self.deviation)):
             if values.shape != (width,):
                 raise ValueError(f"{name} has shape {values.shape}, expected ({width},): the numbers of all fields")
@@ -62,6 +101,46 @@ class Policy:
             width = weights.shape[0]
         if not self.layers or width != len(self.actions):
             raise ValueError(f"the last layer has {width} rows, expected {len(self.actions)}, one for each action")
+
+    def _checked(self, reflex: Union[StretchReflex, Mapping[str, Any]]) -> StretchReflex:
+        told = reflex._asdict() if isinstance(reflex, StretchReflex) else reflex
+        if not isinstance(told, Mapping):
+            raise ValueError(f"reflex is {told!r}, expected an object")
+        _refuse_unknown("reflex", told, StretchReflex._fields)
+        for name in StretchReflex._fields:
+            if name not in told:
+                raise ValueError(f"reflex has no {name}")
+        joints, start = (list(_listed(name, told[name])) for name in ("joints", "start"))
+        for name, values in (("joints", joints), ("start", start)):
+            if len(values) != len(self.actions):
+                raise ValueError(
+                    f"{name} of reflex has {len(values)} elements, expected {len(self.actions)}, one for each action"
+                )
+        for joint, angle in zip(joints, start):
+            if not isinstance(joint, str):
+                raise ValueError(f"joints of reflex holds {joint!r}, expected names")
+            if not _is_number(angle) or not abs(angle) <= LARGEST:
+                raise ValueError(f"start of reflex holds {angle!r}, expected a finite number")
+        return StretchReflex(
+            _positive("stiffness", told["stiffness"]),
+            _positive("damping", told["damping"], or_zero=True),
+            joints,
+            [float(angle) for angle in start],
+        )
+
+    def _steps_held(self) -> int:
+        """How many steps an output of the network holds."""
+        if self.hold_s is None:
+            return 1
+        steps = self.hold_s / self._step
+        if round(steps) < 1 or abs(steps - round(steps)) > 1e-6 * steps:
+            raise ValueError(f"hold_s is {self.hold_s:g}, expected a whole number of steps of {self._step:g} s")
+        return round(steps)
+
+    @property
+    def version(self) -> int:
+        """Of the file that `save` writes: 1 where other readers of version 1 can read it."""
+        return 1 if self.fields and not (self.hold_s or self.clock_s or self.reflex) else 2
 
     @classmethod
     def of(
@@ -81,35 +160,24 @@ class Policy:
     def load(cls, path: "Union[str, os.PathLike[str]]") -> "Policy":
         """From a file."""
         with open(path, encoding="utf-8") as file:
-            content: Dict[str, Any] = json.load(file)
-        if content.get("format") != FORMAT or content.get("version") != VERSION:
-            raise ValueError(f"{os.fspath(path)} is no {FORMAT} of version {VERSION}")
-        layers = []
-        for layer in content["layers"]:
-            weights = _unpacked(layer["weights"])
-            layers.append((weights.reshape(layer["rows"], -1), _unpacked(layer["bias"])))
-        return cls(
-            [(name, count) for name, count in content["fields"]],
-            content["actions"],
-            layers,
-            _unpacked(content["mean"]),
-            _unpacked(content["deviation"]),
-            scene=content.get("scene", ""),
-            step_seconds=content.get("step_seconds", 0.0),
-            clip=content.get("clip", CLIP),
-            what=content.get("what", ""),
-            how=content.get("how"),
-        )
+            content = json.load(file)
+        try:
+            return cls(**_arguments(content))
+        except ValueError as error:
+            raise ValueError(f"policy {os.fspath(path)}: {error}") from None
 
     def save(self, path: "Union[str, os.PathLike[str]]") -> None:
         """Into a file."""
         content = {
             "format": FORMAT,
-            "version": VERSION,
+            "version": self.version,
             "what": self.what,
             "scene": self.scene,
             "step_seconds": self.step_seconds,
             "clip": self.clip,
+            "hold_s": self.hold_s,
+            "clock_s": self.clock_s or None,
+            "reflex": self.reflex and self.reflex._asdict(),
             "how": self.how,
             "fields": [list(field) for field in self.fields],
             "actions": self.actions,
@@ -119,8 +187,9 @@ class Policy:
                 {"rows": len(bias), "weights": _packed(weights), "bias": _packed(bias)} for weights, bias in self.layers
             ],
         }
+        told = {name: value for name, value in content.items() if value is not None}
         with open(path, "w", encoding="utf-8") as file:
-            file.write(json.dumps(content, indent=1) + "\n")
+            file.write(json.dumps(told, indent=1) + "\n")
 
     def attach(self, world: "World") -> None:
         """Refuses a world whose observation, actions or step are others than those that it was learned with."""
@@ -130,38 +199,162 @@ class Policy:
                 f"the policy was learned with steps of {self.step_seconds:g} s, the world's last {step:g} s"
             )
         for name, count in self.fields:
-            field = world.layout.fields.get(name)
-            if field is None:
-                raise ValueError(f"the world has no field {name!r}")
+            field = _field(world, name)
             if int(np.prod(field.shape)) != count:
                 raise ValueError(
                     f"field {name!r} has {int(np.prod(field.shape))} numbers in this world, {count} in the policy"
                 )
         if list(world.action_names) != self.actions:
             raise ValueError(f"the world's actions are {list(world.action_names)}, the policy's {self.actions}")
+        self._step = step
+        self._hold = self._steps_held()
+        if self.reflex:
+            labels = list(_field(world, ANGLES).labels)
+            if list(_field(world, VELOCITIES).labels) != labels:
+                raise ValueError(f"the joints of {VELOCITIES!r} are others than those of {ANGLES!r}")
+            for joint in self.reflex.joints:
+                if joint not in labels:
+                    raise ValueError(f"joints of reflex has {joint!r}{meant(joint, labels)}; there are: {labels}")
+            self._places = [labels.index(joint) for joint in self.reflex.joints]
 
-    def act(self, observation: Mapping[str, ArrayLike], low: ArrayLike, high: ArrayLike) -> NDArray[np.float32]:
-        """The action, given an observation by field name and the bounds of actions (world.action_low, action_high)."""
-        seen = np.concatenate([np.ravel(np.asarray(observation[name], np.float32)) for name, _ in self.fields])
+    def act(
+        self, observation: Mapping[str, ArrayLike], low: ArrayLike, high: ArrayLike, time: Optional[float] = None
+    ) -> Numbers:
+        """The action, given an observation by field name and the bounds of actions (world.action_low, action_high).
+
+        `time` is the seconds since the episode began (world.time), which a clock and a hold need; an earlier time than
+        that of the last call is another episode's. A policy with a hold or a reflex acts in the world that it is
+        attached to.
+        """
+        if time is None and (self.clock_s or self.hold_s):
+            raise ValueError("the policy has a clock or a hold: give time=world.time")
+        if (self.reflex and not self._places) or (self.hold_s and not self._step):
+            raise ValueError("the policy has a reflex or a hold: attach it to the world first")
+        least, most = np.asarray(low, np.float32), np.asarray(high, np.float32)
+        given = self._held(observation, time or 0.0)
+        if not self.reflex:
+            return np.asarray(least + (most - least) * (np.clip(given, -1, 1) + 1) / 2, np.float32)
+        angles, velocities = (
+            np.ravel(np.asarray(observation[name], np.float32))[self._places] for name in (ANGLES, VELOCITIES)
+        )
+        goals = np.asarray(self.reflex.start, np.float32) + given
+        pull = self.reflex.stiffness * (goals - angles) - self.reflex.damping * velocities
+        return np.asarray(np.clip(pull, least, most), np.float32)
+
+    def _held(self, observation: Mapping[str, ArrayLike], time: float) -> Numbers:
+        """What the network gives, or gave."""
+        step = round(time / self._step) if self._step else 0
+        if step % self._hold == 0 or step // self._hold != self._last // self._hold or step < self._last:
+            self._given = self._thought(observation, time)
+        self._last = step
+        return self._given
+
+    def _thought(self, observation: Mapping[str, ArrayLike], time: float) -> Numbers:
+        turns = [2 * math.pi * time / period for period in self.clock_s]
+        clock = np.array([turned(turn) for turn in turns for turned in (math.sin, math.cos)], np.float32)
+        seen = np.concatenate(
+            [*(np.ravel(np.asarray(observation[name], np.float32)) for name, _ in self.fields), clock]
+        )
         row = np.clip((seen - self.mean) / self.deviation, -self.clip, self.clip)
         for weights, bias in self.layers[:-1]:
             row = np.tanh(weights @ row + bias)
         weights, bias = self.layers[-1]
-        share = (np.clip(weights @ row + bias, -1, 1) + 1) / 2
-        least, most = np.asarray(low, np.float32), np.asarray(high, np.float32)
-        return np.asarray(least + (most - least) * share, np.float32)
+        return np.asarray(weights @ row + bias, np.float32)
 
 
-def _finite(name: str, values: ArrayLike) -> NDArray[np.float32]:
-    array = np.array(values, np.float32)
+def _field(world: "World", name: str) -> Any:
+    field = world.layout.fields.get(name)
+    if field is None:
+        raise ValueError(f"the world has no field {name!r}")
+    return field
+
+
+def _refuse_unknown(owner: str, told: Mapping[str, Any], known: Iterable[str]) -> None:
+    for name in told:
+        if name not in known:
+            raise ValueError(f"{owner} has no member {name!r}{meant(name, known)}; expected {', '.join(known)}")
+
+
+def _arguments(content: Any) -> Dict[str, Any]:
+    """What the constructor takes, of the JSON value of a file."""
+    if not isinstance(content, dict) or content.get("format") != FORMAT:
+        raise ValueError(f"this is no JSON object whose format is {FORMAT!r}")
+    version = content.get("version")
+    if version not in VERSIONS or isinstance(version, bool):
+        raise ValueError(f"its version is {version!r}, and this library reads versions 1 and 2")
+    if version == 1:  # which had members that nobody knew, and they were passed over
+        for name in NEW:
+            if name in content:
+                raise ValueError(f"{name} needs version 2, and its version is 1")
+    else:
+        _refuse_unknown("a policy", content, MEMBERS)
+        for name in ("what", "scene"):
+            if not isinstance(content.get(name, ""), str):
+                raise ValueError(f"{name} is {content[name]!r}, expected text")
+    for name in NEEDED:
+        if name not in content:
+            raise ValueError(f"it has no {name}")
+    told = {name: content[name] for name in MEMBERS[2:] if name in content}
+    told["fields"] = [_pair(field) for field in _listed("fields", content["fields"])]
+    if version == 1 and not told["fields"]:
+        raise ValueError("fields is [], expected names and counts")
+    told["layers"] = [_layer(layer, version) for layer in _listed("layers", content["layers"])]
+    told["mean"], told["deviation"] = (_unpacked(name, content[name]) for name in ("mean", "deviation"))
+    return told
+
+
+def _pair(field: Any) -> Tuple[str, int]:
+    if isinstance(field, list) and len(field) == 2:
+        name, count = field
+        if isinstance(name, str) and isinstance(count, int) and count > 0:
+            return name, count
+    raise ValueError(f"fields holds {field!r}, expected a name and a count of 1 or more")
+
+
+def _layer(layer: Any, version: int) -> Layer:
+    if not isinstance(layer, dict) or not set(LAYER) <= set(layer):
+        raise ValueError(f"layers holds {layer!r:.60}, expected objects with {', '.join(LAYER)}")
+    if version > 1:
+        _refuse_unknown("a layer", layer, LAYER)
+    rows, weights, bias = layer["rows"], _unpacked("weights", layer["weights"]), _unpacked("bias", layer["bias"])
+    if not isinstance(rows, int) or rows < 1 or len(weights) % rows:
+        raise ValueError(f"rows of a layer is {rows!r}, and it has {len(weights)} weights; expected a divisor of them")
+    return weights.reshape(rows, len(weights) // rows), bias
+
+
+def _listed(name: str, value: Any) -> Sequence[Any]:
+    if isinstance(value, (str, Mapping)) or not hasattr(value, "__len__"):
+        raise ValueError(f"{name} is {value!r}, expected a list")
+    values: Sequence[Any] = value
+    return values
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
+
+
+def _positive(name: str, value: Any, or_zero: bool = False) -> float:
+    if not (_is_number(value) and value <= LARGEST and (value > 0 or (or_zero and value == 0))):
+        raise ValueError(f"{name} is {value!r}, expected a number {'from 0 on' if or_zero else 'above 0'}")
+    return float(value)
+
+
+def _finite(name: str, values: ArrayLike) -> Numbers:
+    try:
+        array = np.array(values, np.float32)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} is {values!r:.60}, expected numbers") from None
     if not np.isfinite(array).all():
         raise ValueError(f"{name} holds what is no finite number")
     return array
 
 
-def _packed(values: NDArray[np.float32]) -> str:
+def _packed(values: Numbers) -> str:
     return base64.b64encode(values.astype("<f4").tobytes()).decode()
 
 
-def _unpacked(text: str) -> NDArray[np.float32]:
-    return np.frombuffer(base64.b64decode(text, validate=True), "<f4").astype(np.float32)
+def _unpacked(name: str, text: Any) -> Numbers:
+    try:
+        return np.frombuffer(base64.b64decode(text, validate=True), "<f4").astype(np.float32)
+    except (TypeError, ValueError, binascii.Error):
+        raise ValueError(f"{name} is {text!r:.60}, expected 32-bit numbers in base 64") from None
