@@ -46,14 +46,6 @@ void scale_all(pugi::xml_node body, double factor) {
 
 using growth::Skeleton;
 
-pugi::xml_node custom(pugi::xml_node root, const char* element, const std::string& name) {
-  for (const pugi::xml_node section : root.children("custom")) {
-    const pugi::xml_node found = section.find_child_by_attribute(element, "name", name.c_str());
-    if (!found.empty()) return found;
-  }
-  return {};
-}
-
 void say(pugi::xml_node root, const std::string& name, const std::vector<double>& values) {
   const pugi::xml_node numeric = document::append(document::section(root, "custom"), "numeric");
   document::set(numeric, "name", name);
@@ -89,8 +81,7 @@ double within(const growth::Joint& joint, double angle) { return std::clamp(angl
 
 // By how much a joint may have to miss its stored pose at an age; infinitely where the recipe does not care.
 double pose_slack(pugi::xml_node root, const std::string& prefix) {
-  const std::vector<double> slack =
-      document::numbers(custom(root, "numeric", prefix + names::kPoseSlack).attribute("data"));
+  const std::vector<double> slack = custom_numbers(root, prefix + names::kPoseSlack);
   return slack.size() == 1 ? slack[0] : std::numeric_limits<double>::infinity();
 }
 
@@ -146,7 +137,7 @@ Start start_of(pugi::xml_node root, const std::string& prefix, Skeleton body) {
   growth::Angles angles = starting_angles(root, body, prefix);
   growth::Bone& first = body.bones.front();
   const pugi::xml_node node = document::find_named(root, "body", prefix + names::kRootBody);
-  std::vector<double> pose = document::numbers(custom(root, "numeric", prefix + names::kRootPose).attribute("data"));
+  std::vector<double> pose = custom_numbers(root, prefix + names::kRootPose);
   if (pose.size() != 7) {
     pose = document::numbers(node.attribute("pos"));
     pose.resize(3);
@@ -168,8 +159,8 @@ void raise(pugi::xml_node node, const char* attribute, double up) {
 void keep_lowest(pugi::xml_node root, const std::string& prefix, const Start& was, const Start& is) {
   const double up = growth::lowest_point(was.body, was.angles) - growth::lowest_point(is.body, is.angles);
   raise(document::find_named(root, "body", prefix + names::kRootBody), "pos", up);
-  const pugi::xml_node stored = custom(root, "numeric", prefix + names::kRootPose);
-  if (document::numbers(stored.attribute("data")).size() == 7) raise(stored, "data", up);
+  const pugi::xml_node stored = document::find_named(root, "numeric", prefix + names::kRootPose);
+  if (custom_numbers(root, prefix + names::kRootPose).size() == 7) raise(stored, "data", up);
 }
 
 const growth::Bone& bone_of(const Skeleton& skeleton, const std::string& name) {

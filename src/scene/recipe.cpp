@@ -13,6 +13,7 @@
 #include "base/names.h"
 #include "base/numbers.h"
 #include "body/body.h"
+#include "document/attributes.h"
 #include "document/names.h"
 #include "document/storage.h"
 #include "document/xml.h"
@@ -257,6 +258,15 @@ std::string custom_text(pugi::xml_node root, const std::string& name) {
 std::vector<std::string> custom_words(pugi::xml_node root, const std::string& name) {
   std::istringstream words(custom_text(root, name));
   return {std::istream_iterator<std::string>(words), {}};
+}
+
+std::vector<double> custom_numbers(pugi::xml_node root, const std::string& name) {
+  constexpr double kMost = 500;  // more is refused when the document is compiled
+  const pugi::xml_node numeric = find_named(root, "custom", "numeric", name);
+  std::vector<double> values = document::numbers(numeric.attribute("data"));
+  const double size = document::number(numeric, "size").value_or(0);
+  if (size > static_cast<double>(values.size())) values.resize(static_cast<std::size_t>(std::min(size, kMost)));
+  return values;
 }
 
 Recipe Recipe::of_room(pugi::xml_node room, const document::Library& library) {

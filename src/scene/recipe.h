@@ -41,6 +41,8 @@ class Recipe {
 // A custom text of a document; "" if there is none.
 std::string custom_text(pugi::xml_node root, const std::string& name);
 std::vector<std::string> custom_words(pugi::xml_node root, const std::string& name);
+// A custom number of a document as the model will have it; empty if there is none.
+std::vector<double> custom_numbers(pugi::xml_node root, const std::string& name);
 
 // Takes the infant's motors of all groups but these out of the document, and those whose names begin with one of
 // `still`.

@@ -121,15 +121,6 @@ bool has_class(pugi::xml_node root, const std::string& name) {
               .empty();
 }
 
-// A custom number of a document; empty if there is none.
-std::vector<double> numbers_of(pugi::xml_node root, const char* name) {
-  for (const pugi::xml_node custom : root.children("custom")) {
-    const pugi::xml_node node = custom.find_child_by_attribute("numeric", "name", name);
-    if (!node.empty()) return document::numbers(node.attribute("data"));
-  }
-  return {};
-}
-
 // What a document says to all of itself, said so that it does not reach what is put beside it.
 void stand_alone(pugi::xml_document& document, const document::Limits& limits) {
   const pugi::xml_node root = document.document_element();
@@ -228,7 +219,7 @@ void Scene::set_room(const std::string& room) {
   const pugi::xml_node root = changed.document_element();
   require(!has_class(root, kRoomClass), "room \"{}\": the scene has a room already", room);
   require(!has_name("geom", "floor"), "room \"{}\": the scene has a geom named \"floor\" already", room);
-  const bool has_places = !numbers_of(root, names::kPlaces).empty();
+  const bool has_places = !scene::custom_numbers(root, names::kPlaces).empty();
   const pugi::xml_node own_start = pugi::xml_node(root).prepend_child("custom");  // what comes later counts
   if (own_start.empty()) throw std::bad_alloc();
   for (const pugi::xml_node part : guest.document_element().children()) {
@@ -246,7 +237,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const d
                      document::Anchor anchor) {
   require_known("body", kBodies, body);
   const bool no_place =
-      pose == nullptr && bodies_ == 0 && numbers_of(document_->document_element(), names::kPlaces).empty();
+      pose == nullptr && bodies_ == 0 && scene::custom_numbers(document_->document_element(), names::kPlaces).empty();
   const std::optional<document::Pose> place = pose != nullptr ? *pose : free_place();
   require(place.has_value(), "position: the scene has no place for infant number {}; set its position", bodies_ + 1);
   Recipe recipe = Recipe::of_room(document_->document_element(), models_);
@@ -288,7 +279,7 @@ void Scene::add_body(const std::string& body, const std::string& prefix, const d
   std::vector<std::string> to_check = to_check_;
   if (pose != nullptr || built_in_.empty()) to_check.push_back(prefix);
   std::optional<std::string> unplaced = unplaced_;
-  if (no_place && numbers_of(root, (prefix + names::kRootPose).c_str()).empty()) unplaced = prefix;
+  if (no_place && scene::custom_numbers(root, prefix + names::kRootPose).empty()) unplaced = prefix;
   std::map<std::string, document::Place> anchored = anchored_;
   if (pose != nullptr && anchor != document::Anchor::kRoot) anchored.emplace(prefix, document::Place{*pose, anchor});
   Document next = settled(std::move(changed));
@@ -321,7 +312,7 @@ std::string Scene::custom_text(const std::string& name) const {
 }
 
 std::vector<double> Scene::custom_numbers(const std::string& name) const {
-  return numbers_of(document_->document_element(), name.c_str());
+  return scene::custom_numbers(document_->document_element(), name);
 }
 
 UsualInfant Scene::usual_infant() const {
@@ -473,7 +464,7 @@ bool Scene::has_name(const char* element, const std::string& name) const {
 }
 
 std::optional<document::Pose> Scene::free_place() const {
-  const std::vector<double> places = numbers_of(document_->document_element(), names::kPlaces);
+  const std::vector<double> places = scene::custom_numbers(document_->document_element(), names::kPlaces);
   const std::size_t first = static_cast<std::size_t>(bodies_) * 7;
   if (places.empty() && bodies_ == 0) return document::Pose{};
   if (places.size() < first + 7) return std::nullopt;

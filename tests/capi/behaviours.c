@@ -39,6 +39,23 @@ static void check_all_scenes(void) {
   CHECK(found >= 20);
 }
 
+/* "size" of a <numeric> is how many numbers it has; those that are not given are 0 (MuJoCo's reference of MJCF). */
+static void check_numbers_as_the_compiler_reads_them(void) {
+  mimo_behaviour it = {.struct_size = sizeof it};
+  mimo_scene* scene = scene_of(NULL,
+                               "<mujoco><custom><text name='mimo:reached' data='height head at least 0.5 m'/>"
+                               "<numeric name='mimo:norm' size='3' data='4'/></custom></mujoco>");
+  CHECK_OK(mimo_scene_behaviour(scene, &it));
+  CHECK(it.norm_early == 4 && it.norm_age == 0 && it.norm_late == 0);
+  mimo_scene_destroy(scene);
+  scene = scene_of(NULL,
+                   "<mujoco><custom><text name='mimo:reached' data='height head at least 0.5 m'/>"
+                   "<numeric name='mimo:episode_seconds' size='2' data='5'/></custom></mujoco>");
+  CHECK_FAILS(MIMO_E_MODEL, "mimo:episode_seconds: 2 numbers, 5 0, expected one time in s",
+              mimo_scene_behaviour(scene, &it));
+  mimo_scene_destroy(scene);
+}
+
 static void check_a_document_of_ones_own(void) {
   mimo_behaviour it = {.struct_size = sizeof it}, none = {.struct_size = 0};
   mimo_scene* scene = scene_of(NULL,
@@ -73,6 +90,7 @@ static void check_a_document_of_ones_own(void) {
                    "<numeric name='mimo:episode_seconds' data='-1'/></custom></mujoco>");
   CHECK_FAILS(MIMO_E_MODEL, "mimo:episode_seconds: -1 s, expected", mimo_scene_behaviour(scene, &it));
   mimo_scene_destroy(scene);
+  check_numbers_as_the_compiler_reads_them();
   scene = scene_of("reach", NULL);
   CHECK_FAILS(MIMO_E_NOT_FOUND, "describes no behaviour", mimo_scene_behaviour(scene, &it));
   mimo_scene_destroy(scene);
