@@ -9,6 +9,7 @@
 #include "body/body.h"
 #include "engine/contacts.h"
 #include "env/reflexes.h"
+#include "env/spontaneous.h"
 #include "env/surroundings.h"
 #include "growth/maturity.h"
 #include "observation/sense.h"
@@ -271,6 +272,7 @@ Agent make_agent(engine::Physics& physics, const AgentOptions& options, const Se
   }
   agent.growth = options.growth;
   agent.mode = options.actuation.mode;
+  if (agent.age && agent.mode == actuation::Mode::kTorque) add_spontaneous(agent);
   agent.faces = body::find_faces(model, agent.body);
   agent.mass = body::mass(model, agent.body);
   agent.height = body::height(model, physics.data(), agent.body);

@@ -1,6 +1,7 @@
 // What one agent senses, how late it senses and acts, and its actuation and task.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,6 +18,10 @@
 #include "senses/touch/felt.h"
 #include "senses/touch/touch.h"
 #include "tasks/task.h"
+
+namespace mimo::movements {
+class Spontaneous;
+}
 
 namespace mimo::sound {
 struct Utterance;
@@ -93,8 +98,10 @@ struct Agent : Perception {
   std::size_t action_offset = 0;
   double mass = 0;
   double height = 0;
-  std::optional<Age> age{};  // of an infant
-  growth::Growth growth{};   // the same: the requested growth
+  std::optional<Age> age{};                                   // of an infant
+  growth::Growth growth{};                                    // the same: the requested growth
+  std::shared_ptr<const movements::Spontaneous> movements{};  // of an infant that is moved by torques; else null
+  std::uint64_t movements_key = 0;                            // of its name: infants of one world move differently
 };
 
 // Makes the task of one agent, by its number.

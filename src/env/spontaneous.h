@@ -7,7 +7,11 @@
 
 namespace mimo::env {
 
+struct Agent;
 class World;
+
+// Gives an infant that is moved by torques its movements.
+void add_spontaneous(Agent& infant);
 
 // Throws Status::kUnsupported for an agent that is no infant, or is not moved by torques.
 void require_spontaneous(const World& world, std::size_t agent);
