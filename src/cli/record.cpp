@@ -1,12 +1,13 @@
-// mimo record: random movements, kept in a file that can be played again.
+// mimo record: random or learned movements, kept in a file that can be played again.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
+#include "cli/chosen_actions.h"
 #include "cli/commands.h"
+#include "cli/episode.h"
 #include "cli/recorded_world.h"
 #include "programs/files.h"
-#include "programs/joints.h"
 #include "programs/program.h"
 #include "programs/text.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct RecordOptions {
   WorldOptions world;
   RecorderOptions recorder;
+  ActionOptions actions;
   double seconds = 10;
 };
 
@@ -26,15 +28,17 @@ void record(const RecordOptions& options) {
   mimo::Results results = env.make_results();
   const double dt = env.timestep() * env.frame_skip();
   const auto steps = steps_in(options.seconds, dt);
+  ChosenActions actions(env, options.actions, options.world.seed);
+  Episode episode;
   env.reset(options.world.seed, block);
-  RandomActions actions(env, options.world.seed);
   const Interrupt interrupt;
   mimo::Recorder recorder = open_recorder(env, options.recorder, options.world.seed);
   std::size_t done = 0;
   {
     Progress progress(steps);
-    while (done < steps && !Interrupt::requested()) {
-      env.step(actions.draw(), block, results);
+    while (done < steps && !(actions.learned() && episode.over()) && !Interrupt::requested()) {
+      env.step(actions.next(block), block, results);
+      episode.add(results, env.time());
       progress.show(++done);
     }
   }
@@ -48,10 +52,12 @@ void record(const RecordOptions& options) {
 
 void add_record(CLI::App& program) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command = program.add_subcommand("record", "Move at random, and keep the run in a file to play again");
+  CLI::App* command =
+      program.add_subcommand("record", "Move at random or as learned, and keep the run in a file to play again");
   add_recorded_options(*command, options->world);
   add_seed_option(*command, options->world);
   add_seconds_option(*command, options->seconds);
+  add_action_options(*command, options->actions);
   add_recorder_options(*command, options->recorder)->required();
   command->footer(
       "Writes an HDF5 file, which MATLAB, Python, R and Julia read: actions, joints, rewards and the chosen fields of\n"
@@ -60,8 +66,12 @@ void add_record(CLI::App& program) {
       "early.\n"
       "Examples:\n"
       "  mimo record --seconds 60 --seed 7 --out run.h5\n"
-      "  mimo record --scene reach --keep all --out run.h5");
-  command->callback([options] { record(*options); });
+      "  mimo record --scene reach --keep all --out run.h5\n"
+      "  mimo record --policy reach.json --out run.h5");
+  command->callback([options, command] {
+    follow_policy(*command, options->actions, options->world);
+    record(*options);
+  });
 }
 
 }  // namespace cli

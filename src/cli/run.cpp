@@ -7,13 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/chosen_actions.h"
 #include "cli/commands.h"
 #include "cli/episode.h"
 #include "cli/picture.h"
 #include "cli/touch_picture.h"
 #include "programs/files.h"
-#include "programs/joints.h"
-#include "programs/policy.h"
 #include "programs/program.h"
 #include "programs/summary.h"
 #include "programs/text.h"
@@ -28,23 +27,10 @@ struct RunOptions {
   std::string out = "mimo_run";
   std::string sound;  // a file, or "" for none
   double full_scale = 1;
-  std::string policy;  // a file, or "" for random movements
-  std::string task;    // "" for the scene's own
-  bool spontaneous = false;
+  ActionOptions actions;
+  std::string task;  // "" for the scene's own
   bool json = false;
 };
-
-// Of all infants, one after the other.
-std::vector<float> spontaneous_actions(const mimo::Env& env) {
-  std::vector<float> actions;
-  const auto agents = env.agents();
-  for (std::size_t agent = 0; agent < agents.size(); ++agent) {
-    std::vector<float> own(agents[agent].action_count);
-    env.spontaneous(own, MIMO_MOVEMENT_ALL, agent);
-    actions.insert(actions.end(), own.begin(), own.end());
-  }
-  return actions;
-}
 
 class Run {
  public:
@@ -67,9 +53,7 @@ class Run {
     config.task = options.task.empty() ? nullptr : options.task.c_str();
     return config;
   }
-  std::vector<float> next_action(RandomActions& random);
-  // Random movements go on when their episode is over: there is nothing that they were to reach.
-  bool whole_episode() const { return policy_ || options_.json; }
+  bool whole_episode() const { return actions_.learned() || options_.json; }
   void print_report() const;
   void print_json() const;
 
@@ -80,46 +64,36 @@ class Run {
   std::vector<FieldStatistics> statistics_;
   std::optional<Wave> wave_;
   Table pictures_{2};
-  std::optional<Policy> policy_;
+  ChosenActions actions_;
   Episode episode_;
   std::size_t steps_ = 0;
-  double simulated_ = 0, wall_ = 0, thought_ = 0;  // thought: in the policy, s
+  double simulated_ = 0, wall_ = 0;
 };
 
 Run::Run(const RunOptions& options)
     : options_(options),
       env_(open_world(options.world, config(options))),
       block_(env_.make_block()),
-      results_(env_.make_results()) {
+      results_(env_.make_results()),
+      actions_(env_, options.actions, options.world.seed) {
   for (const mimo_field& field : env_.layout().fields()) statistics_.emplace_back(field);
   if (!options.sound.empty()) {
     const std::string name = env_.agents()[0].name;
     wave_.emplace(env_.layout(), name.empty() ? "" : name + "/");
   }
-  if (!options.policy.empty()) policy_.emplace(options.policy).attach(env_);
   make_folder(options.out);
-}
-
-std::vector<float> Run::next_action(RandomActions& random) {
-  if (options_.spontaneous) return spontaneous_actions(env_);
-  if (!policy_) return random.draw();
-  const auto start = Clock::now();
-  const std::vector<float>& action = policy_->act(block_, env_.time());
-  thought_ += seconds_since(start);
-  return action;
 }
 
 void Run::simulate() {
   const double dt = env_.timestep() * env_.frame_skip();
   const auto steps = steps_in(options_.seconds, dt);
   const Interrupt interrupt;
-  RandomActions actions(env_, options_.world.seed);
   env_.reset(options_.world.seed, block_);
   save_pictures("start_", "at the start");
   {
     Progress progress(steps);
     do {
-      const auto action = next_action(actions);
+      const auto action = actions_.next(block_);
       const auto start = Clock::now();
       env_.step(action, block_, results_);
       wall_ += seconds_since(start);
@@ -209,8 +183,9 @@ void Run::report() const {
 
 void Run::print_json() const {
   nlohmann::ordered_json told = episode_.describe(env_, options_.world);
-  told["policy"] = policy_ ? nlohmann::ordered_json(options_.policy) : nlohmann::ordered_json();
-  if (policy_) told["policy_us"] = 1e6 * thought_ / static_cast<double>(steps_);
+  const bool learned = actions_.learned();
+  told["policy"] = learned ? nlohmann::ordered_json(options_.actions.policy) : nlohmann::ordered_json();
+  if (learned) told["policy_us"] = 1e6 * actions_.seconds_thought() / static_cast<double>(steps_);
   told["step_ms"] = 1000 * wall_ / static_cast<double>(steps_);
   std::cout << told.dump(2) << '\n';
 }
@@ -267,13 +242,7 @@ void add_run(CLI::App& program) {
   add_senses_option(*command, options->world);
   add_own_senses_option(*command, options->world);
   add_parameter_option(*command, options->world);
-  command
-      ->add_option("--policy", options->policy,
-                   "Act as this policy does, until the episode is over; the default scene is\nthen the policy's")
-      ->type_name("FILE");
-  command
-      ->add_flag("--spontaneous", options->spontaneous, "Move as infants of that age do by themselves, not at random")
-      ->excludes("--policy");
+  add_action_options(*command, options->actions);
   command->add_option("--task", options->task, "Task in place of the scene's own")->type_name("NAME");
   command->add_flag(
       "--json", options->json,
@@ -305,10 +274,7 @@ void add_run(CLI::App& program) {
       "  mimo run --policy reach.json --vision off --json\n"
       "  mimo run --scene my_room.xml --body mitten");
   command->callback([options, command] {
-    if (!options->policy.empty() && command->count("--scene") == 0) {
-      const std::string scene = Policy(options->policy).scene();
-      if (!scene.empty()) options->world.scene = scene;
-    }
+    follow_policy(*command, options->actions, options->world);
     if (!options->sound.empty()) {
       require_writable(options->sound);
       options->world.hearing = true;

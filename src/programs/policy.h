@@ -15,9 +15,6 @@ class Policy {
   // Throws a Failure for a file that cannot be read or is no policy.
   explicit Policy(const std::string& file) : name_(file), file_(read_policy(file)) {}
 
-  // The scene that it was learned in; "" where the file does not say.
-  const std::string& scene() const { return file_.scene; }
-
   // Finds its fields and joints in a world's layout. Throws a Failure that names what does not fit: another body, other
   // senses or motors, another length of a step.
   void attach(const mimo::Env& env);

@@ -24,13 +24,13 @@ constexpr std::size_t kMostPeriods = 64;
 constexpr int kMostNested = 16;  // nlohmann copies and prints nested values by calls of calls
 
 const Names& members_of_version_2() {
-  static const Names names = {"hold_s", "clock_s", "reflex"};
+  static const Names names = {"age", "hold_s", "clock_s", "reflex"};
   return names;
 }
 
 const Names& members() {
-  static const Names names = {"format",    "version", "what",   "scene", "step_seconds", "fields",  "actions", "mean",
-                              "deviation", "clip",    "layers", "how",   "hold_s",       "clock_s", "reflex"};
+  static const Names names = {"format",    "version", "what",   "scene", "step_seconds", "fields", "actions", "mean",
+                              "deviation", "clip",    "layers", "how",   "age",          "hold_s", "clock_s", "reflex"};
   return names;
 }
 
@@ -179,6 +179,16 @@ std::vector<std::string> names(const std::string& file, const Json& content, con
   return found;
 }
 
+std::optional<double> age(const std::string& file, const Json& content) {
+  if (!content.contains("age")) return std::nullopt;
+  const Json& value = content["age"];
+  const double months = value.is_number() ? value.get<double>() : -1;
+  if (!(months >= 0 && months <= 24)) {
+    refuse_policy(file, text("\"age\" is %s, expected months from 0 to 24", value.dump().c_str()));
+  }
+  return months;
+}
+
 std::vector<double> periods(const std::string& file, const Json& content) {
   std::vector<double> found;
   if (!content.contains("clock_s")) return found;
@@ -234,6 +244,7 @@ PolicyFile read_policy(const std::string& file) {
   PolicyFile policy;
   const Json scene = content.value("scene", Json(""));
   policy.scene = scene.is_string() ? scene.get<std::string>() : "";
+  policy.age = age(file, content);
   policy.step_seconds = number_or(file, content, "step_seconds", 0);
   policy.hold_s = content.contains("hold_s") ? positive(file, content["hold_s"], "hold_s") : 0;
   policy.clip = static_cast<float>(number_or(file, content, "clip", 10));

@@ -24,9 +24,10 @@ struct PolicyFile {
     std::vector<float> start;         // rad; goals are counted from there
   };
 
-  std::string scene;        // in which it was learned; "" where the file does not say
-  double step_seconds = 0;  // 0: any
-  double hold_s = 0;        // an output of the network holds so long; 0: one step
+  std::string scene;          // in which it was learned; "" where the file does not say
+  std::optional<double> age;  // months, at which it is watched
+  double step_seconds = 0;    // 0: any
+  double hold_s = 0;          // an output of the network holds so long; 0: one step
   float clip = 10;
   std::vector<Field> fields;
   std::vector<double> clock_s;  // periods of the clock, which is read after the fields

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from recorded import program
+from recorded import program, record, table_of
 
 import mimo
 
@@ -138,11 +138,26 @@ def test_the_program_holds_a_posture_for_ten_seconds(tmp_path, scene, age):
     """The WHO's criterion: 10 seconds. Doing nothing, the infant falls within half a second."""
     file = POLICIES / f"{scene}.json"
     assert file.stat().st_size < 200_000
-    episodes = ["--scene", scene, "--age", age, "--delays", "none", "--json", "--seed"]
+    episodes = ["--age", age, "--json", "--seed"]
     told = [json.loads(run(tmp_path, "--policy", file, *episodes, seed).stdout) for seed in range(50, 54)]
     assert sum(one["outcome"] == "success" for one in told) >= 3
     assert all(one["measure"]["hold_seconds"] == 10 for one in told)
     assert max(one["measure"]["held_seconds"] for one in told) >= 10
+
+
+def test_the_age_is_the_policy_s_unless_another_is_asked_for(tmp_path):
+    """It says 6 months, and at 18 the posture falls."""
+    shown = [run(tmp_path, "--policy", POLICIES / "sit.json", "--json", *age) for age in ([], ["--age", 18])]
+    assert [json.loads(one.stdout)["outcome"] for one in shown] == ["success", "none"]
+
+
+def test_a_recording_of_a_policy_ends_with_its_episode(tmp_path):
+    episode = ["--policy", POLICIES / "sit.json", "--seconds", 30]
+    told = json.loads(run(tmp_path, *episode, "--json").stdout)
+    path = record(tmp_path / "sit.h5", *map(str, episode), "--touch", "off", "--keep", "proprioception")
+    angles = table_of(path, "fields/proprioception/position")
+    assert len(angles) == told["steps"] == 1500  # the episode's 15 s
+    assert table_of(path, "outcome")[-1] == mimo.Outcome.SUCCESS  # at the policy's age; at 18 months it falls
 
 
 def test_the_program_prints_what_a_behaviour_measures(tmp_path):

@@ -201,6 +201,7 @@ WRONG = [
     ({"version": 3}, "its version is 3"),
     ({"holds_s": 0.05}, "holds_s"),
     ({"version": 1}, "needs version 2, and its version is 1"),
+    ({"age": 25}, "age"),
     ({"hold_s": 0}, "hold_s"),
     ({"hold_s": "0.05"}, "hold_s"),
     ({"clock_s": [0.5, -1]}, "clock_s"),

@@ -1,7 +1,7 @@
 /** What the infant does: nothing, random movements, or what a network has learned. */
 
 const FORMAT = "mimo-policy";
-const NEW = ["hold_s", "clock_s", "reflex"]; // members of version 2
+const NEW = ["age", "hold_s", "clock_s", "reflex"]; // members of version 2
 const MEMBERS = ["format", "version", "what", "scene", "step_seconds", "fields", "actions", "mean", "deviation", "clip", "layers", "how", ...NEW];
 const REFLEX = ["stiffness", "damping", "joints", "start"];
 const MOST_PERIODS = 64;
@@ -39,6 +39,12 @@ function positive(name, value, least = Number.MIN_VALUE) {
   return value;
 }
 
+function monthsOf(age) {
+  if (age === undefined) return undefined;
+  if (!(typeof age === "number" && age >= 0 && age <= 24)) refuse(`"age" is ${JSON.stringify(age)}, expected months from 0 to 24`);
+  return age;
+}
+
 function reflexOf(told, actions) {
   if (told === undefined) return undefined;
   if (typeof told !== "object" || told === null || Array.isArray(told)) refuse(`"reflex" is ${JSON.stringify(told)}, expected an object`);
@@ -68,6 +74,7 @@ export class Policy {
   constructor(content) {
     checkMembers(content);
     this.scene = content.scene ?? "";
+    this.age = monthsOf(content.age);
     this.stepSeconds = positive("step_seconds", content.step_seconds ?? 0, 0);
     this.clip = positive("clip", content.clip ?? 10);
     this.fields = list("fields", content.fields);
