@@ -4,6 +4,7 @@
 #include <mujoco/mjdata.h>
 #include <mujoco/mjmodel.h>
 
+#include <cstring>
 #include <type_traits>
 
 #include "compat/mujoco.h"
@@ -19,6 +20,22 @@
 #endif
 
 namespace mimo::solver {
+
+// Numbers that are calculated at once, each as if it were alone. Compilers do that by themselves only where they see
+// that it pays. These types are no parameters and no results of functions: a processor without AVX has no registers for
+// them.
+constexpr int kLanes = 4;
+typedef double Lanes __attribute__((vector_size(kLanes * sizeof(double))));
+typedef double Two __attribute__((vector_size(2 * sizeof(double))));
+
+template <typename Vector>
+void read(const double* numbers, Vector& vector) {
+  std::memcpy(&vector, numbers, sizeof vector);
+}
+template <typename Vector>
+void write(const Vector& vector, double* numbers) {
+  std::memcpy(numbers, &vector, sizeof vector);
+}
 
 // Room on mjData's own stack, as MuJoCo's solvers take it: too little is MuJoCo's error.
 

@@ -58,9 +58,22 @@ void fill_matrix(const mjModel& model, mjData& data) {
   }
 }
 
+// to[0 .. count) += numbers * factor, as wide as there are numbers.
+void add_multiple(double* to, const double* numbers, double factor, int count) {
+  int k = 0;
+  for (; k + kLanes <= count; k += kLanes) {
+    Lanes sum, number;
+    read(to + k, sum);
+    read(numbers + k, number);
+    sum += number * factor;
+    write(sum, to + k);
+  }
+  for (; k < count; ++k) to[k] += numbers[k] * factor;
+}
+
 // L'DL in the places of the matrix; rows are eliminated into those of the degrees of freedom that they hang on.
 void factorize(const mjModel& model, mjData& data, double* factor, double* inverse) {
-  for (int dof = model.nv - 1; dof >= 0; --dof) {
+  for (int dof = model.nv - 1, end = model.nM; dof >= 0; end = model.dof_Madr[dof--]) {
     double* row = factor + model.dof_Madr[dof];
     if (*row < mjMINVAL) {
       mj_warning(&data, mjWARN_INERTIA, dof);
@@ -69,12 +82,10 @@ void factorize(const mjModel& model, mjData& data, double* factor, double* inver
     const double diagonal = *row++;
     inverse[dof] = 1.0 / diagonal;
     if (model.dof_simplenum[dof] != 0) continue;
-    int above = 0;  // as many as the row has entries left
-    for (int other = model.dof_parentid[dof]; other >= 0; other = model.dof_parentid[other]) ++above;
-    for (int other = model.dof_parentid[dof]; other >= 0; other = model.dof_parentid[other], ++row, --above) {
+    int left = end - model.dof_Madr[dof] - 1;  // entries of the row
+    for (int other = model.dof_parentid[dof]; other >= 0; other = model.dof_parentid[other], ++row, --left) {
       const double scale = *row / diagonal;
-      double* __restrict to = factor + model.dof_Madr[other];
-      for (int k = 0; k < above; ++k) to[k] += row[k] * -scale;
+      add_multiple(factor + model.dof_Madr[other], row, -scale, left);
       *row = scale;
     }
   }
@@ -161,7 +172,12 @@ void integrate(const mjModel& model, mjData& data) {
 namespace {
 
 constexpr int kMostRows = 6;  // of a contact
-constexpr int kLanes = 4;
+
+Two two_at(const double* numbers) {
+  Two two;
+  read(numbers, two);
+  return two;
+}
 
 int whole_lanes(int count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
@@ -351,6 +367,19 @@ void find_quiet(const Hessian& hessian, const Blocks& blocks, bool* quiet) {
   }
 }
 
+// Which blocks are on quiet rows, and which are not.
+void sort_blocks(Hessian& hessian, const mjData& data, const Blocks& blocks) {
+  for (int i = 0; i < blocks.count; ++i) {
+    const Block& block = blocks.all[i];
+    if (is_quiet(hessian, block)) {
+      const double weight = data.efc_D[block.row] * block.values[0] * block.values[0];
+      hessian.singles[hessian.single_count++] = {block.row, hessian.ends[block.columns[0]] - 1, weight, false};
+    } else {
+      hessian.loud[hessian.loud_count++] = i;
+    }
+  }
+}
+
 // Rows of one kind, into those above them.
 void eliminate(const Hessian& hessian, bool quiet, double* matrix) {
   double* line = hessian.scratch;
@@ -370,23 +399,23 @@ void eliminate(const Hessian& hessian, bool quiet, double* matrix) {
 }
 
 // Whether the quiet rows' constraints are in other states than when these were eliminated; notes the present ones.
-bool quiet_changed(Hessian& hessian, const mjData& data, const Blocks& blocks) {
+bool quiet_changed(Hessian& hessian, const mjData& data) {
   bool changed = !hessian.has_halfway;
   hessian.has_halfway = true;
-  for (int i = 0; i < blocks.count; ++i) {
-    if (!is_quiet(hessian, blocks.all[i])) continue;
-    const int counts = data.efc_state[blocks.all[i].row] == mjCNSTRSTATE_QUADRATIC ? 1 : 0;
-    changed = changed || hessian.counted[i] != counts;
-    hessian.counted[i] = counts;
+  for (int i = 0; i < hessian.single_count; ++i) {
+    Single& single = hessian.singles[i];
+    const bool counts = data.efc_state[single.row] == mjCNSTRSTATE_QUADRATIC;
+    changed |= single.counted != counts;
+    single.counted = counts;
   }
   return changed;
 }
 
-void go_halfway(const Hessian& hessian, const mjData& data, const Blocks& blocks) {
+void go_halfway(const Hessian& hessian) {
   std::copy_n(hessian.inertia, hessian.entries, hessian.halfway);
-  for (int i = 0; i < blocks.count; ++i) {
-    const Block& block = blocks.all[i];
-    if (is_quiet(hessian, block) && hessian.counted[i] == 1) add_single(hessian, data, block, hessian.halfway);
+  for (int i = 0; i < hessian.single_count; ++i) {
+    const Single& single = hessian.singles[i];
+    if (single.counted) hessian.halfway[single.place] += single.weight;
   }
   eliminate(hessian, true, hessian.halfway);
 }
@@ -406,77 +435,90 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   list_columns(size, marks, starts, columns);
   double* inertia = take<double>(data, entries);
   bool* quiet = take<bool>(data, size);
-  int* counted = take<int>(data, blocks.count);
   const int room = (kMostRows + 1) * (size + kLanes);
-  const Hessian hessian = {size,
-                           entries,
-                           starts,
-                           ends,
-                           columns,
-                           inertia,
-                           quiet,
-                           take<double>(data, entries),
-                           take<double>(data, room),
-                           take<double>(data, entries),
-                           counted,
-                           false};
+  Hessian hessian{};
+  hessian.size = size;
+  hessian.entries = entries;
+  hessian.starts = starts;
+  hessian.ends = ends;
+  hessian.columns = columns;
+  hessian.inertia = inertia;
+  hessian.quiet = quiet;
+  hessian.values = take<double>(data, entries);
+  hessian.scratch = take<double>(data, room);
+  hessian.halfway = take<double>(data, entries);
+  hessian.singles = take<Single>(data, blocks.count);
+  hessian.loud = take<int>(data, blocks.count);
   write_inertia(model, data, hessian, inertia);
   std::fill_n(hessian.scratch, room, 0.0);
   find_quiet(hessian, blocks, quiet);
-  std::fill_n(counted, blocks.count, 0);
+  sort_blocks(hessian, data, blocks);
   return hessian;
 }
 
 MIMO_ALSO_FOR_AVX2
-void multiply_inertia(const Hessian& hessian, const double* vector, double* product) {
-  for (int row = 0; row < hessian.size; ++row) {
-    const int diagonal = hessian.ends[row] - 1;
+void multiply_inertia(const Hessian& hessian, const double* __restrict vector, double* __restrict product) {
+  const int *starts = hessian.starts, *ends = hessian.ends, *columns = hessian.columns, size = hessian.size;
+  const double* inertia = hessian.inertia;
+  for (int row = 0; row < size; ++row) {
+    const int diagonal = ends[row] - 1;
     const double value = vector[row];
-    double even = hessian.inertia[diagonal] * value, odd = 0;  // two sums, as each waits for itself
-    int at = hessian.starts[row];
+    Two sums = {inertia[diagonal] * value, 0};  // two, as each waits for itself
+    int at = starts[row];
     for (; at + 1 < diagonal; at += 2) {
-      const int first = hessian.columns[at], second = hessian.columns[at + 1];
-      even += hessian.inertia[at] * vector[first];
-      odd += hessian.inertia[at + 1] * vector[second];
-      product[first] += hessian.inertia[at] * value;
-      product[second] += hessian.inertia[at + 1] * value;
+      const int first = columns[at], second = columns[at + 1];
+      sums += two_at(inertia + at) * Two{vector[first], vector[second]};
+      if (second == first + 1) {
+        write(two_at(product + first) + two_at(inertia + at) * value, product + first);
+      } else {
+        product[first] += inertia[at] * value;
+        product[second] += inertia[at + 1] * value;
+      }
     }
     if (at < diagonal) {
-      even += hessian.inertia[at] * vector[hessian.columns[at]];
-      product[hessian.columns[at]] += hessian.inertia[at] * value;
+      sums[0] += inertia[at] * vector[columns[at]];
+      product[columns[at]] += inertia[at] * value;
     }
-    product[row] = even + odd;
+    product[row] = sums[0] + sums[1];
   }
 }
 
 MIMO_ALSO_FOR_AVX2
 void factorize(Hessian& hessian, const mjData& data, const Blocks& blocks, const double* violation) {
-  if (quiet_changed(hessian, data, blocks)) go_halfway(hessian, data, blocks);
+  if (quiet_changed(hessian, data)) go_halfway(hessian);
   std::copy_n(hessian.halfway, hessian.entries, hessian.values);
-  for (int i = 0; i < blocks.count; ++i) {
-    if (!is_quiet(hessian, blocks.all[i])) add_block(hessian, data, blocks.all[i], violation);
-  }
+  for (int i = 0; i < hessian.loud_count; ++i) add_block(hessian, data, blocks.all[hessian.loud[i]], violation);
   eliminate(hessian, false, hessian.values);
 }
 
 MIMO_ALSO_FOR_AVX2
 void solve(const Hessian& hessian, double* vector) {
-  for (int row = hessian.size - 1; row >= 0; --row) {
+  const int *starts = hessian.starts, *ends = hessian.ends, *columns = hessian.columns, size = hessian.size;
+  const double* values = hessian.values;
+  for (int row = size - 1; row >= 0; --row) {
     const double value = vector[row];
-    for (int at = hessian.starts[row]; at < hessian.ends[row] - 1; ++at) {
-      vector[hessian.columns[at]] -= hessian.values[at] * value;
-    }
-  }
-  for (int row = 0; row < hessian.size; ++row) {
-    const int diagonal = hessian.ends[row] - 1;
-    double even = vector[row] / hessian.values[diagonal], odd = 0;  // two sums, as each waits for itself
-    int at = hessian.starts[row];
+    const int diagonal = ends[row] - 1;
+    int at = starts[row];
     for (; at + 1 < diagonal; at += 2) {
-      even -= hessian.values[at] * vector[hessian.columns[at]];
-      odd -= hessian.values[at + 1] * vector[hessian.columns[at + 1]];
+      const int first = columns[at], second = columns[at + 1];
+      if (second == first + 1) {
+        write(two_at(vector + first) - two_at(values + at) * value, vector + first);
+      } else {
+        vector[first] -= values[at] * value;
+        vector[second] -= values[at + 1] * value;
+      }
     }
-    if (at < diagonal) even -= hessian.values[at] * vector[hessian.columns[at]];
-    vector[row] = even + odd;
+    if (at < diagonal) vector[columns[at]] -= values[at] * value;
+  }
+  for (int row = 0; row < size; ++row) {
+    const int diagonal = ends[row] - 1;
+    Two sums = {vector[row] / values[diagonal], 0};  // two, as each waits for itself
+    int at = starts[row];
+    for (; at + 1 < diagonal; at += 2) {
+      sums -= two_at(values + at) * Two{vector[columns[at]], vector[columns[at + 1]]};
+    }
+    if (at < diagonal) sums[0] -= values[at] * vector[columns[at]];
+    vector[row] = sums[0] + sums[1];
   }
 }
 

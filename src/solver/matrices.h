@@ -20,6 +20,14 @@ void integrate(const mjModel& model, mjData& data);
 // The matrix of the solver's Newton steps: inertia plus what active constraints add to it, in the accelerations of the
 // degrees of freedom. Lies on the stack of mjData, as blocks do.
 
+// The constraint of a single joint on a quiet row: friction, or a limit.
+struct Single {
+  int row;        // of the constraint
+  int place;      // of what it adds to the matrix
+  double weight;  // which is this, while it is a spring
+  bool counted;   // in `halfway`
+};
+
 // The lower triangle, of which each row holds only what is not zero in the matrix or in its factor L'DL. That grows
 // from the last row up: a model without contacts has the entries of its inertia and no others. Rows begin at multiples
 // of four, so that numbers are added four at a time; what lies between rows means nothing.
@@ -37,8 +45,11 @@ struct Hessian {
   double* values;     // of the matrix, then of its factor
   double* scratch;    // 7 x (size + 4)
   double* halfway;    // inertia and constraints of quiet rows, with these rows eliminated
-  int* counted;       // of each block on a quiet row: whether `halfway` has it in
-  bool has_halfway;   // whether `halfway` and `counted` are those of any states yet
+  bool has_halfway;   // whether `halfway` is that of any states yet
+  Single* singles;    // on quiet rows
+  int single_count;
+  int* loud;  // the other blocks
+  int loud_count;
 };
 
 Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks);

@@ -20,7 +20,6 @@ struct Slope {
 
 // Rows that stand for themselves. All are springs within their bounds: friction of joints yields at both, limits and
 // contacts without friction only push, equalities have none. As many as fill whole lanes; the last ones weigh nothing.
-constexpr int kSpringLanes = 4;
 struct Springs {
   int count;
   double *start, *change, *low, *high;
@@ -84,15 +83,19 @@ void add_cone(const Cone& cone, double at, Slope& sum) {
 
 // The lanes' sums are added in one order, whatever the processor adds at a time.
 void add_springs(const Springs& springs, double at, Slope& sum) {
-  double first[kSpringLanes] = {}, second[kSpringLanes] = {};
-  for (int i = 0; i < springs.count; i += kSpringLanes) {
-    for (int lane = 0; lane < kSpringLanes; ++lane) {
-      const int k = i + lane;
-      const double value = springs.start[k] + at * springs.change[k];
-      const double bent = std::min(std::max(value, springs.low[k]), springs.high[k]);
-      first[lane] += springs.weight[k] * bent;
-      second[lane] += bent == value ? springs.weight[k] * springs.change[k] : 0;
-    }
+  Lanes first = {}, second = {};
+  for (int i = 0; i < springs.count; i += kLanes) {
+    Lanes start, change, weight, low, high;
+    read(springs.start + i, start);
+    read(springs.change + i, change);
+    read(springs.weight + i, weight);
+    read(springs.low + i, low);
+    read(springs.high + i, high);
+    const Lanes value = start + at * change;
+    Lanes bent = value < low ? low : value;
+    bent = high < bent ? high : bent;
+    first += weight * bent;
+    second += bent == value ? weight * change : Lanes{};
   }
   sum.first += (first[0] + first[1]) + (first[2] + first[3]);
   sum.second += (second[0] + second[1]) + (second[2] + second[3]);
@@ -121,7 +124,7 @@ void add_spring(const mjData& data, const Line& line, int row, Springs& springs)
 }
 
 Terms prepare(mjData& data, const Line& line) {
-  const int room = data.nefc + kSpringLanes;
+  const int room = data.nefc + kLanes;
   Springs springs = {0,
                      take<double>(data, room),
                      take<double>(data, room),
@@ -138,7 +141,7 @@ Terms prepare(mjData& data, const Line& line) {
     cones[count++] = cone_of(data, line, row);
     row += data.contact[data.efc_id[row]].dim - 1;
   }
-  for (; springs.count % kSpringLanes != 0; ++springs.count) {
+  for (; springs.count % kLanes != 0; ++springs.count) {
     for (double* numbers : {springs.start, springs.change, springs.low, springs.high, springs.weight}) {
       numbers[springs.count] = 0;
     }
