@@ -12,6 +12,7 @@ from .shell import BUILD, ROOT, copy, fail, fresh, run
 from .web import build_web
 
 SOURCES = ROOT / "web"
+POLICIES = ROOT / "examples/policies"
 PAGE = BUILD / "web"
 LINKS = (
     ("README.html", "What libmimo is"),
@@ -74,7 +75,9 @@ def make_page():
     fresh(PAGE)
     bundle("main.js", PAGE / "page.js")
     make_recording_page()
-    copy([SOURCES / "page.css", ROOT / "examples/policies/reach.json", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
+    copy([SOURCES / "page.css", PACKAGE / "mimo.wasm", ROOT / "LICENSE"], PAGE)
+    policies = [file.read_text(encoding="utf-8") for file in sorted(POLICIES.glob("*.json"))]
+    (PAGE / "policies.json").write_text(f"[{','.join(policies)}]", encoding="utf-8")
     shutil.copy(SOURCES / "node_modules/three/LICENSE", PAGE / "LICENSE.three")
     if (PACKAGE / "licences").is_dir():
         shutil.copytree(PACKAGE / "licences", PAGE / "licences")

@@ -66,13 +66,13 @@ def test_infant_lives_and_visitors_change_it():
     with opened() as (shown, wrong):
         assert varied(shown, "left") > 50
         assert varied(shown, "right") > 50
-        assert shown.input_value("#behaviour") == "reach"
+        assert shown.input_value("#behaviour") == "learned"
 
         shown.click("#run")
-        before = shown.evaluate("mimoPage.world.time()")
+        shown.evaluate("mimoPage.begin(1)")  # so that the step is not by chance the last of an episode
         shown.click("#step")
         step = shown.evaluate("mimoPage.world.layout.stepSeconds")
-        assert shown.evaluate("mimoPage.world.time()") == pytest.approx(before + step, abs=1e-9)
+        assert shown.evaluate("mimoPage.world.time()") == pytest.approx(step, abs=1e-9)
 
         # WHO's medians of weight, mean of girls and boys: 3.29 kg at birth, 10.53 kg at 18 months.
         assert kilograms(shown) == pytest.approx(10.53, rel=0.05)
@@ -140,6 +140,27 @@ def test_policy_reaches_the_ball():
             }"""
         )
         assert reached >= 6  # random actions reach the ball in one of twenty episodes: docs/learning.md
+        assert wrong == []
+
+
+@pytest.mark.parametrize(("scene", "age"), [("sit", 6), ("stand-with-support", 8)])
+def test_policies_act_in_their_scenes_at_their_age(scene, age):
+    with opened(400, 400) as (shown, wrong):
+        shown.click("#run")
+        shown.select_option("#scenes", scene)
+        assert shown.input_value("#behaviour") == "learned"
+        assert shown.input_value("#age") == str(age)
+        reached = shown.evaluate(
+            """() => {
+              mimoPage.episodes = mimoPage.reached = 0;
+              while (mimoPage.episodes < 1) mimoPage.advance();
+              return mimoPage.reached;
+            }"""
+        )
+        assert reached == 1  # ten seconds; at rest it falls within one
+        shown.select_option("#scenes", "walk")  # nobody has learned there
+        assert shown.input_value("#behaviour") == "babble"
+        assert shown.is_disabled("#behaviour option[value=learned]")
         assert wrong == []
 
 

@@ -11,17 +11,20 @@ class Page extends Shown {
   episodes = 0;
   reached = 0;
 
-  constructor(policy, stage) {
+  /** @param {Policy[]} policies of scenes */
+  constructor(policies, stage) {
     super();
     this.stage = stage;
     this.pull = stage && new Pull(stage);
     this.senses = new Senses(page);
-    this.behaviours = { reach: policy, babble: new Babble(), rest };
+    this.policies = policies;
+    this.behaviours = { babble: new Babble(), rest };
     this.#fill(page.scenes, mimo.scenes(), "reach");
     this.#fill(page.tasks, ["the scene's", ...mimo.tasks()], "the scene's");
     this.#fill(page.faces, mimo.faces(), "neutral");
     page.scenes.onchange = () => {
       page.tasks.value = "the scene's";
+      page.age.value = this.#learnedIn(page.scenes.value)?.age ?? page.age.value;
       this.make();
     };
     page.tasks.onchange = () => this.make();
@@ -45,6 +48,11 @@ class Page extends Shown {
     list.replaceChildren(...names.map((name) => new Option(name, name, false, name === chosen)));
   }
 
+  /** The policy of a scene, where somebody has learned in it. */
+  #learnedIn(scene) {
+    return this.policies.find((policy) => policy.scene === scene);
+  }
+
   /** Makes the world that is chosen; a refused one leaves the old one. */
   make() {
     trying(() => {
@@ -56,7 +64,7 @@ class Page extends Shown {
           ...{ visionWidth: PIXELS, visionHeight: PIXELS },
           touch: mimo.Touch.FORCE,
           hearing: mimo.Hearing.EARS,
-          // The eyes are as old as the infant. Its nerves are not, because the policy did not learn with their delays.
+          // The eyes are as old as the infant. Its nerves are not, because policies did not learn with their delays.
           growth: { age: Number(page.age.value), maturity: mimo.Mature.BODY | mimo.Mature.EYES },
         });
         const task = page.tasks.value;
@@ -67,9 +75,11 @@ class Page extends Shown {
       this.world?.close();
       this.world = world;
       this.action = new Float32Array(world.layout.actions.length);
-      const fits = this.behaviours.reach.fits(world);
+      const policy = this.#learnedIn(page.scenes.value);
+      const fits = policy?.fits(world) ?? false;
+      this.behaviours.learned = policy;
       page.behaviour.options[0].disabled = !fits;
-      page.behaviour.value = fits ? "reach" : page.behaviour.value === "reach" ? "babble" : page.behaviour.value;
+      page.behaviour.value = fits ? "learned" : page.behaviour.value === "learned" ? "babble" : page.behaviour.value;
       this.shown = false;
       this.begin(1);
       this.renew(false);
@@ -178,6 +188,6 @@ start(async () => {
     throw new Error("a browser lets no page read the module from a file: serve the folder, for example with python3 -m http.server, and open http://localhost:8000");
   }
   const stage = openStage();
-  const [policy] = await Promise.all([read("reach.json").then((answer) => answer.json()), mimo.load("mimo.wasm")]);
-  return new Page(new Policy(policy), stage);
+  const [policies] = await Promise.all([read("policies.json").then((answer) => answer.json()), mimo.load("mimo.wasm")]);
+  return new Page(policies.map((content) => new Policy(content)), stage);
 });
