@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/functions.h"
+#include "observation/many_lookups.h"
 
 namespace mimo::observation {
 namespace {
@@ -88,7 +89,7 @@ LightTables::LightTables() {
 }
 
 void LightTables::decode(const std::uint8_t* rgb, std::size_t width, Light* red, Light* green, Light* blue) const {
-  for (std::size_t x = 0; x < width; ++x) {
+  for (std::size_t x = look_up_many(rgb, width, light_, red, green, blue); x < width; ++x) {
     red[x] = light_[rgb[3 * x]];
     green[x] = light_[rgb[3 * x + 1]];
     blue[x] = light_[rgb[3 * x + 2]];
@@ -105,7 +106,7 @@ void LightTables::encode(const Light* red, const Light* green, const Light* blue
 }
 
 void LightTables::decode_grey(const std::uint8_t* rgb, std::size_t width, Light* grey) const {
-  for (std::size_t x = 0; x < width; ++x) {
+  for (std::size_t x = add_up_many(rgb, width, red_, green_, blue_, grey); x < width; ++x) {
     const std::uint8_t* at = rgb + 3 * x;
     grey[x] = static_cast<Light>(red_[at[0]] + green_[at[1]] + blue_[at[2]]);
   }

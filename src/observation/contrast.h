@@ -15,6 +15,8 @@ using Light = std::uint16_t;
 constexpr Light kBlack = 512;
 constexpr Light kWhite = 32256;
 
+using LightTable = std::array<Light, 256>;  // of levels
+
 // Rows of pixels between bytes (red, green, blue of one pixel after the other) and rows of one colour's light. Tables
 // rather than powers: these are faster, and whole numbers are the same on every machine.
 class LightTables {
@@ -29,10 +31,10 @@ class LightTables {
 
  private:
   // Four lights in a row are one level: the darkest levels are ten lights apart.
-  std::uint8_t level(Light light) const { return level_[light >> 2]; }
+  std::uint8_t level(Light light) const { return level_[static_cast<unsigned>(light) >> 2]; }
 
-  std::array<Light, 256> light_;
-  std::array<Light, 256> red_, green_, blue_;  // their shares of the luminance
+  LightTable light_;
+  LightTable red_, green_, blue_;  // their shares of the luminance
   std::array<std::uint8_t, 65536 / 4> level_;
 };
 

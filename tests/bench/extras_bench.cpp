@@ -5,7 +5,8 @@
 //   bench_extras delays [STEPS]     the nerves of a newborn, all senses but the eyes
 //   bench_extras eyes [STEPS]       the eyes of a newborn, 256 pixels, in steps of a third world without eyes: what
 //                                   pictures take depends on how wide the processor's vectors are
-//   bench_extras newborn [STEPS]    both, in steps of the world without them, which has eyes of 256 pixels
+//   bench_extras newborn [STEPS] [PIXELS]   both, in steps of the world without them, which has eyes of so many pixels
+//                                           a side, 256 unless told otherwise
 //   bench_extras skin [STEPS]       all that nerves of the skin tell
 //   bench_extras caresses [STEPS]   C-tactile afferents of the skin alone
 //   bench_extras hearing [STEPS]    what sounds, and both ears, with bands
@@ -79,7 +80,8 @@ void mature(mimo_scene* scene, Extra extra) {
   check(mimo_scene_set_maturity(scene, 0, &perfect));
 }
 
-mimo_env* make(Extra extra, bool has, bool sees) {
+// With eyes of so many pixels a side; 0: without.
+mimo_env* make(Extra extra, bool has, std::uint32_t pixels) {
   mimo_scene_config named;
   check(mimo_scene_config_init(&named, sizeof named));
   named.name = extra == Extra::kBehaviour ? "sit" : "benchmark";
@@ -87,7 +89,8 @@ mimo_env* make(Extra extra, bool has, bool sees) {
   check(mimo_scene_create(&named, &scene));
   mimo_agent_config agent;
   check(mimo_scene_default_agent(scene, &agent, sizeof agent));
-  if (!sees) agent.vision = 0;
+  if (pixels == 0) agent.vision = 0;
+  if (pixels > 0) agent.vision_width = agent.vision_height = pixels;
   if (has && is_receptors(extra)) {
     agent.touch |= MIMO_TOUCH_SA1 | MIMO_TOUCH_RA | MIMO_TOUCH_PC | MIMO_TOUCH_SA2 | MIMO_TOUCH_TEMPERATURE |
                    MIMO_TOUCH_COLD | MIMO_TOUCH_WARM | MIMO_TOUCH_NOCICEPTION_FAST | MIMO_TOUCH_NOCICEPTION_SLOW;
@@ -172,8 +175,9 @@ int main(int argc, char** argv) {
   const bool eyes = extra == Extra::kEyes || extra == Extra::kNewborn;
   const int usual_steps = eyes ? 200 : extra == Extra::kRecording ? 9216 : 4000;
   const int steps = argc > 2 ? std::atoi(argv[2]) : usual_steps;
-  mimo_env *const having = make(extra, true, eyes), *const usual = make(extra, false, eyes);
-  mimo_env* const blind = extra == Extra::kEyes ? make(extra, false, false) : nullptr;
+  const std::uint32_t pixels = !eyes ? 0 : argc > 3 ? static_cast<std::uint32_t>(std::atoi(argv[3])) : 256;
+  mimo_env *const having = make(extra, true, pixels), *const usual = make(extra, false, pixels);
+  mimo_env* const blind = extra == Extra::kEyes ? make(extra, false, 0) : nullptr;
   const mimo_layout* layout = nullptr;
   mimo_layout_info info{};
   info.struct_size = sizeof info;

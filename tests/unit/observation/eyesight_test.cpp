@@ -50,6 +50,26 @@ void see(Picture& picture, double pixels_per_degree, const Eyesight& eyes) {
   EyeFilter(picture.height, picture.width, pixels_per_degree, eyes).filter(picture.rgb.data());
 }
 
+// Processors with long vectors decode 32 pixels at once, and what is left of a row one by one.
+TEST(Light, OfManyPixelsIsThatOfEachAlone) {
+  constexpr std::size_t kWidth = 32 * 256 + 31;
+  std::vector<std::uint8_t> rgb(kWidth * 3);
+  for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<std::uint8_t>(i * 7 + i / 256 * 5 + i % 3 * 101);
+  std::vector<Light> grey(kWidth), red(kWidth), green(kWidth), blue(kWidth);
+  kLightTables.decode_grey(rgb.data(), kWidth, grey.data());
+  kLightTables.decode(rgb.data(), kWidth, red.data(), green.data(), blue.data());
+  for (std::size_t x = 0; x < kWidth; ++x) {
+    const std::uint8_t* const pixel = rgb.data() + 3 * x;
+    Light alone[3];
+    kLightTables.decode_grey(pixel, 1, alone);
+    ASSERT_EQ(grey[x], alone[0]) << x;
+    kLightTables.decode(pixel, 1, alone, alone + 1, alone + 2);
+    ASSERT_EQ(red[x], alone[0]) << x;
+    ASSERT_EQ(green[x], alone[1]) << x;
+    ASSERT_EQ(blue[x], alone[2]) << x;
+  }
+}
+
 // Grey bars across x or, `turned`, across y.
 Picture grating(std::size_t size, double cycles_per_pixel, double contrast, bool turned) {
   Picture picture{turned ? size : 24, turned ? 24 : size};
