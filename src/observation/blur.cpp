@@ -119,31 +119,6 @@ void add(const Light* middle, const Pairs& pairs, std::size_t number, std::size_
   add<4, kFirst>(middle, pairs, count, out);
 }
 
-// `number` pairs.
-void add_all(const Light* middle, const Pairs& pairs, std::size_t number, std::size_t count, Light* out) {
-  for (std::size_t k = 0; k < number; k += kTogether) {
-    const Pairs next{pairs.before + k, pairs.after + k, pairs.weights + k};
-    const std::size_t together = std::min(kTogether, number - k);
-    if (k == 0) add<true>(middle, next, together, count, out);
-    if (k > 0) add<false>(middle, next, together, count, out);
-  }
-}
-
-// The same with longer vectors.
-#if defined(__x86_64__)
-__attribute__((target("avx2"), flatten)) void add_all_wide(const Light* middle, const Pairs& pairs, std::size_t number,
-                                                           std::size_t count, Light* out) {
-  add_all(middle, pairs, number, count, out);
-}
-bool is_wide() {
-  static const bool wide = has_avx2();
-  return wide;
-}
-#else
-void add_all_wide(const Light*, const Pairs&, std::size_t, std::size_t, Light*) {}
-bool is_wide() { return false; }
-#endif
-
 void keep_between(const Light* middle, const Light* before, const Light* after, std::size_t count,
                   Light* __restrict out) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -152,6 +127,33 @@ void keep_between(const Light* middle, const Light* before, const Light* after, 
     out[i] = std::min(std::max(out[i], least), most);
   }
 }
+
+// `number` pairs, or none. Where the kernel sharpens, nothing leaves the range of a middle and its nearest neighbours.
+void weigh(const Light* middle, const Pairs& pairs, std::size_t number, bool sharpens, std::size_t count, Light* out) {
+  if (number == 0) std::copy_n(middle, count, out);
+  for (std::size_t k = 0; k < number; k += kTogether) {
+    const Pairs next{pairs.before + k, pairs.after + k, pairs.weights + k};
+    const std::size_t together = std::min(kTogether, number - k);
+    if (k == 0) add<true>(middle, next, together, count, out);
+    if (k > 0) add<false>(middle, next, together, count, out);
+  }
+  if (sharpens) keep_between(middle, pairs.before[0], pairs.after[0], count, out);
+}
+
+// The same with longer vectors.
+#if defined(__x86_64__)
+__attribute__((target("avx2"), flatten)) void weigh_wide(const Light* middle, const Pairs& pairs, std::size_t number,
+                                                         bool sharpens, std::size_t count, Light* out) {
+  weigh(middle, pairs, number, sharpens, count, out);
+}
+bool is_wide() {
+  static const bool wide = has_avx2();
+  return wide;
+}
+#else
+void weigh_wide(const Light*, const Pairs&, std::size_t, bool, std::size_t, Light*) {}
+bool is_wide() { return false; }
+#endif
 
 }  // namespace
 
@@ -220,10 +222,8 @@ void Smoother::blur_column(std::size_t y) {
 }
 
 void Smoother::weigh(const Light* middle, std::size_t count, Light* out) const {
-  if (reach_ == 0) std::copy_n(middle, count, out);
   const Pairs pairs{before_.data(), after_.data(), weights_.data()};
-  (is_wide() ? add_all_wide : add_all)(middle, pairs, reach_, count, out);
-  if (sharpens_) keep_between(middle, before_[0], after_[0], count, out);
+  (is_wide() ? weigh_wide : observation::weigh)(middle, pairs, reach_, sharpens_, count, out);
 }
 
 }  // namespace mimo::observation

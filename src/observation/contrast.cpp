@@ -84,7 +84,7 @@ LightTables::LightTables() {
   for (std::size_t i = 0; i < level_.size(); ++i) {
     const auto middle = static_cast<double>(4 * i) + 1.5;
     while (level < 255 && middle >= next) next = above(++level);
-    level_[i] = static_cast<std::uint8_t>(level);
+    level_[i] = static_cast<std::uint32_t>(level) * 0x01010101U;
   }
 }
 
@@ -99,9 +99,9 @@ void LightTables::decode(const std::uint8_t* rgb, std::size_t width, Light* red,
 void LightTables::encode(const Light* red, const Light* green, const Light* blue, std::size_t width,
                          std::uint8_t* rgb) const {
   for (std::size_t x = 0; x < width; ++x) {
-    rgb[3 * x] = level(red[x]);
-    rgb[3 * x + 1] = level(green[x]);
-    rgb[3 * x + 2] = level(blue[x]);
+    rgb[3 * x] = static_cast<std::uint8_t>(level(red[x]));
+    rgb[3 * x + 1] = static_cast<std::uint8_t>(level(green[x]));
+    rgb[3 * x + 2] = static_cast<std::uint8_t>(level(blue[x]));
   }
 }
 
@@ -118,11 +118,11 @@ void LightTables::encode_grey(const Light* grey, std::size_t width, std::uint8_t
   std::size_t x = 0;
   for (; x + 4 < width; x += 4) {
     for (std::size_t i = x; i < x + 4; ++i) {
-      const std::uint32_t four = std::uint32_t{level(grey[i])} * 0x01010101U;
+      const std::uint32_t four = level(grey[i]);
       std::memcpy(rgb + 3 * i, &four, 4);
     }
   }
-  for (; x < width; ++x) std::fill_n(rgb + 3 * x, 3, level(grey[x]));
+  for (; x < width; ++x) std::fill_n(rgb + 3 * x, 3, static_cast<std::uint8_t>(level(grey[x])));
 }
 
 const LightTables kLightTables;

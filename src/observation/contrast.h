@@ -31,11 +31,11 @@ class LightTables {
 
  private:
   // Four lights in a row are one level: the darkest levels are ten lights apart.
-  std::uint8_t level(Light light) const { return level_[static_cast<unsigned>(light) >> 2]; }
+  std::uint32_t level(Light light) const { return level_[static_cast<unsigned>(light) >> 2]; }
 
   LightTable light_;
-  LightTable red_, green_, blue_;  // their shares of the luminance
-  std::array<std::uint8_t, 65536 / 4> level_;
+  LightTable red_, green_, blue_;               // their shares of the luminance
+  std::array<std::uint32_t, 65536 / 4> level_;  // in each of its four bytes
 };
 
 extern const LightTables kLightTables;  // made when the library is loaded: 511 powers
