@@ -1,17 +1,17 @@
 #include "batch/batch.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "base/fail.h"
 #include "base/format.h"
+#include "common/cores.h"
 
 namespace mimo::batch {
 
 namespace {
 
 std::size_t thread_count(const Options& options) {
-  const std::size_t wanted = options.threads != 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t wanted = options.threads != 0 ? options.threads : usable_cores();
   return std::min(wanted, options.worlds);
 }
 

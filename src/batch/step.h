@@ -24,7 +24,7 @@ enum class Autoreset : std::int32_t {
 
 struct Options {
   std::size_t worlds = 1;
-  std::size_t threads = 1;  // 0: as many as the machine has
+  std::size_t threads = 1;  // 0: one for each core that this process may use
   Autoreset autoreset = Autoreset::kNone;
   bool restart_failed = false;
 };

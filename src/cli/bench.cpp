@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "cli/commands.h"
+#include "common/cores.h"
 #include "programs/joints.h"
 #include "programs/program.h"
 #include "programs/summary.h"
@@ -26,7 +27,7 @@ using Json = nlohmann::ordered_json;
 struct BenchOptions {
   WorldOptions world;
   std::size_t worlds = 8;   // a thread
-  std::size_t threads = 0;  // 0: as many as the machine has cores
+  std::size_t threads = 0;  // 0: as many cores as it may use
   double seconds = 1;       // of each measurement
   bool scale = false, json = false;
 };
@@ -227,7 +228,7 @@ std::vector<std::size_t> thread_counts(std::size_t most, bool all) {
 
 // Rows of each number of threads, for worlds without eyes and with eyes.
 Json measure(const BenchOptions& options) {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t cores = mimo::usable_cores();
   const auto counts = thread_counts(options.threads == 0 ? cores : options.threads, options.scale);
   const std::vector<std::string> eyes = options.world.vision.empty() ? std::vector<std::string>{"off", "64"}
                                                                      : std::vector<std::string>{options.world.vision};
@@ -308,7 +309,7 @@ void add_bench(CLI::App& program) {
       ->type_name("W")
       ->check(CLI::Range(1, 1024).description(""))
       ->capture_default_str();
-  command->add_option("--threads", options->threads, "Most threads. Default: the cores of the machine")
+  command->add_option("--threads", options->threads, "Most threads. Default: the cores that it may use")
       ->type_name("T")
       ->check(CLI::Range(1, 1024).description(""));
   command->add_option("--seconds", options->seconds, "How long each measurement takes")

@@ -40,9 +40,12 @@ constexpr bool is_one_of(std::string_view name, std::initializer_list<std::strin
   return false;
 }
 
-// What each step that has constraints writes before it reads it.
-constexpr bool is_of_jacobian(std::string_view name) {
-  return is_one_of(name, {"efc_J", "efc_J_colind", "efc_JT", "efc_JT_colind"});
+enum class Group { kCleared, kConstraints, kJacobian };
+
+// What is not cleared a step writes before it reads it: as much as it has contacts and constraints.
+constexpr Group group_of(std::string_view name) {
+  if (is_one_of(name, {"efc_J", "efc_J_colind", "efc_JT", "efc_JT_colind"})) return Group::kJacobian;
+  return name == "contact" || name.substr(0, 4) == "efc_" ? Group::kConstraints : Group::kCleared;
 }
 
 // How many numbers arrays have that mjData lists as if full. The Jacobian's transpose does need all of that room:
@@ -62,13 +65,13 @@ Room room_of(const mjModel& model) {
   return {jacobian_room(model), mj_isDual(&model) != 0 ? rows * rows : 0};
 }
 
-// Shows each array of mjData with the bytes that it takes: those of the Jacobian, or all others.
-template <bool kOfJacobian, typename Visit>
+// Shows each array of a group with the bytes that it takes.
+template <Group kGroup, typename Visit>
 void visit_arrays(const mjModel* m, mjData& data, const Room& room, Visit&& visit) {
   MJDATA_POINTERS_PREAMBLE(m)
-#define X(type, name, rows, columns)                  \
-  if constexpr (is_of_jacobian(#name) == kOfJacobian) \
-    visit(data.name,                                  \
+#define X(type, name, rows, columns)       \
+  if constexpr (group_of(#name) == kGroup) \
+    visit(data.name,                       \
           sizeof(type) * room.count(#name, static_cast<std::size_t>(m->rows) * static_cast<std::size_t>(columns)));
   MJDATA_POINTERS
 #undef X
@@ -79,20 +82,21 @@ constexpr std::size_t aligned(std::size_t bytes) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
-template <bool kOfJacobian>
+template <Group kGroup>
 std::size_t bytes_of(const mjModel& model, mjData& data, const Room& room) {
   std::size_t bytes = 0;
-  visit_arrays<kOfJacobian>(&model, data, room, [&](const auto*, std::size_t size) { bytes += aligned(size); });
+  visit_arrays<kGroup>(&model, data, room, [&](const auto*, std::size_t size) { bytes += aligned(size); });
   return bytes;
 }
 
-// Gives arrays their places from `at` on.
-template <bool kOfJacobian>
-void lay_out(const mjModel& model, mjData& data, const Room& room, unsigned char* at) {
-  visit_arrays<kOfJacobian>(&model, data, room, [&](auto*& array, std::size_t size) {
+// Gives arrays their places from `at` on, and returns the end.
+template <Group kGroup>
+unsigned char* lay_out(const mjModel& model, mjData& data, const Room& room, unsigned char* at) {
+  visit_arrays<kGroup>(&model, data, room, [&](auto*& array, std::size_t size) {
     array = reinterpret_cast<std::remove_reference_t<decltype(array)> >(at);
     at += aligned(size);
   });
+  return at;
 }
 
 // MuJoCo counts the Jacobian's entries by int.
@@ -250,15 +254,17 @@ DataPtr make_data(const mjModel& model) { return made(model); }
 
 #else
 
-// The Jacobian lies behind what MuJoCo takes for the whole buffer and clears in a reset: of memory that no code touches
-// the system gives none.
+// Constraints lie behind what MuJoCo takes for the whole buffer and clears in a reset: for memory that no code touches
+// the system gives none. The Jacobian comes last (engine/scratch.cpp).
 DataPtr make_data(const mjModel& model) {
   require_countable(model);
   mjModel unconstrained = model;  // the struct only
   unconstrained.njmax = 0;
   DataPtr data = made(unconstrained);
   const Room room = room_of(model);
-  const std::size_t cleared = bytes_of<false>(model, *data, room), behind = bytes_of<true>(model, *data, room);
+  const std::size_t cleared = bytes_of<Group::kCleared>(model, *data, room);
+  const std::size_t behind =
+      bytes_of<Group::kConstraints>(model, *data, room) + bytes_of<Group::kJacobian>(model, *data, room);
   void* buffer = nullptr;
   const Complaint complaint = guarded([&] { buffer = mju_malloc(cleared + behind); });
   if (complaint.failed || buffer == nullptr || cleared > INT_MAX) {
@@ -268,8 +274,9 @@ DataPtr make_data(const mjModel& model) {
   mju_free(data->buffer);
   data->buffer = buffer;
   data->nbuffer = static_cast<int>(cleared);
-  lay_out<false>(model, *data, room, static_cast<unsigned char*>(buffer));
-  lay_out<true>(model, *data, room, static_cast<unsigned char*>(buffer) + cleared);
+  auto* at = lay_out<Group::kCleared>(model, *data, room, static_cast<unsigned char*>(buffer));
+  at = lay_out<Group::kConstraints>(model, *data, room, at);
+  lay_out<Group::kJacobian>(model, *data, room, at);
   mj_resetData(&model, data.get());
   return data;
 }

@@ -123,6 +123,7 @@ void Physics::step(int count, bool sensors) {
   require_usable();
   require_undisturbed();
   const int flags = model_.opt.disableflags;
+  const Scratch scratch(model_, *data_);
   const Complaint complaint = guarded([&] {
     for (int i = 0; i < count && !diverged(*data_); ++i) {
       step_time_ = data_->time;

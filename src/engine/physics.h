@@ -16,6 +16,7 @@
 #include "engine/hooks.h"
 #include "engine/model.h"
 #include "engine/overrides.h"
+#include "engine/scratch.h"
 #include "mimo/experimental/engine.h"
 
 namespace mimo::engine {
@@ -143,6 +144,7 @@ class Physics {
   // Calls MuJoCo under the guard; the world is failed when it gives up.
   template <typename Call>
   void run(Call&& call) {
+    const Scratch scratch(model_, *data_);
     const Complaint complaint = guarded(call);
     if (complaint.failed) fail_world(complaint.error.data());
   }

@@ -28,6 +28,16 @@ class Scale(Case):
         for row in result["memory"]:
             self.assertGreater(row["gb_per_second"], 0)
 
+    @unittest.skipUnless(hasattr(os, "sched_setaffinity"), "this system has no affinity")
+    def test_the_cores_are_those_that_the_program_may_use(self):
+        before = os.sched_getaffinity(0)
+        os.sched_setaffinity(0, {min(before)})
+        try:
+            result = self.rows("--vision", "off", "--scene", "reach")
+        finally:
+            os.sched_setaffinity(0, before)
+        self.assertEqual((result["cores"], [row["threads"] for row in result["rows"]]), (1, [1]))
+
     def test_threads_that_wait_for_each_other_are_not_predicted_to_gain_more_than_their_number(self):
         # Two worlds a thread: the last one of a step is waited for, so less than 4, and more than 1.
         rows = self.rows("--scale", "--threads", "4", "--vision", "off")["rows"]

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <thread>
 
 #include "batch/threads.h"
+#include "common/cores.h"
 #include "support/worlds.h"
 
 namespace mimo::test {
@@ -422,9 +422,23 @@ TEST(Batch, SavesAndLoadsManyStates) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(saved(rig.batch.world(i)), state);
 }
 
-TEST(Batch, HasTheMachinesThreads) {
-  const Batch batch(compiled_worlds_of({room_with_infant("free"), {blind()}, {}, {}}), sized(2, 0));
-  EXPECT_EQ(batch.threads(), std::min(2u, std::max(1u, std::thread::hardware_concurrency())));
+TEST(Batch, HasAThreadForEachCoreThatItMayUse) {
+  const auto threads = [] {
+    return Batch(compiled_worlds_of({room_with_infant("free"), {blind()}, {}, {}}), sized(2, 0)).threads();
+  };
+  EXPECT_EQ(threads(), std::min<std::size_t>(2, usable_cores()));
+#if defined(__linux__)
+  cpu_set_t before, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  int core = 0;
+  while (!CPU_ISSET(core, &before)) ++core;
+  CPU_ZERO(&one);
+  CPU_SET(core, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  const std::size_t alone = threads();
+  ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+  EXPECT_EQ(alone, 1u);
+#endif
 }
 
 // Worlds 0 and 2 are of one model, world 1 of another.

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "senses/touch/skin.h"
 #include "support/tiny.h"
@@ -57,6 +59,48 @@ TEST(TouchMaps, BeginWithTheSensorItselfAndAreSorted) {
       const double far = std::hypot(neighbour.x, neighbour.y);
       EXPECT_GE(far, last - 1e-9);
       last = far;
+    }
+  }
+}
+
+// All numbers of all maps.
+std::vector<float> numbers_of(const Skin& skin) {
+  std::vector<float> numbers;
+  for (int i = 0; i < count(skin); ++i) {
+    for (const auto& [sensor, x, y] : skin.maps().of(i)) {
+      numbers.insert(numbers.end(), {static_cast<float>(sensor), x, y});
+    }
+  }
+  return numbers;
+}
+
+// Maps of bodies that were there before are not made again; cubes of 40 cm take megabytes.
+TEST(TouchMaps, AreThoseOfTheirBodyWhateverWasMadeBefore) {
+  const std::string small = "<geom type='box' size='.03 .02 .01'/>",
+                    wider = "<geom type='box' size='.03 .02000001 .01'/>";
+  const auto first = numbers_of(skin_of(small, 0.004));
+  EXPECT_NE(numbers_of(skin_of(wider, 0.004)), first);
+  EXPECT_NE(numbers_of(skin_of(small, 0.00400001)).size(), 0u);
+  EXPECT_EQ(numbers_of(skin_of(small, 0.004)), first);
+  for (const char* size : {".2", ".21", ".22"})
+    skin_of("<geom type='box' size='.2 .2 " + std::string(size) + "'/>", 0.012);
+  EXPECT_EQ(numbers_of(skin_of(small, 0.004)), first);
+}
+
+// The second body's sensors follow those of the first.
+TEST(TouchMaps, OfABodyThatWasThereBeforeNameItsSensorsHere) {
+  const std::string plate = "<geom type='box' size='.03 .02 .01'/>";
+  const auto model = test::compiled("<mujoco><worldbody><body><freejoint/>" + plate + "</body><body><freejoint/>" +
+                                    plate + "</body></worldbody></mujoco>");
+  const Skin both(*model, {{1, 0.004}, {2, 0.004}});
+  const int half = count(both) / 2;
+  for (int i = 0; i < half; ++i) {
+    const auto one = both.maps().of(i), other = both.maps().of(half + i);
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(one[k].sensor + half, other[k].sensor);
+      EXPECT_EQ(one[k].x, other[k].x);
+      EXPECT_EQ(one[k].y, other[k].y);
     }
   }
 }
