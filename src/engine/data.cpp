@@ -16,6 +16,11 @@
 #include "engine/guard.h"
 #include "engine/physics.h"
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
 namespace mimo::engine {
 namespace {
 
@@ -97,6 +102,17 @@ unsigned char* lay_out(const mjModel& model, mjData& data, const Room& room, uns
     at += aligned(size);
   });
   return at;
+}
+
+// Memory that nobody reads before it is written: of what malloc had given to others before, the system takes the pages
+// back.
+void leave_to_system([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#if defined(__linux__)
+  const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto start = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+  const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+  if (start < end) madvise(reinterpret_cast<void*>(start), end - start, MADV_DONTNEED);  // without it all is as usual
+#endif
 }
 
 // MuJoCo counts the Jacobian's entries by int.
@@ -278,6 +294,8 @@ DataPtr make_data(const mjModel& model) {
   at = lay_out<Group::kConstraints>(model, *data, room, at);
   lay_out<Group::kJacobian>(model, *data, room, at);
   mj_resetData(&model, data.get());
+  leave_to_system(static_cast<unsigned char*>(buffer) + cleared, behind);
+  leave_to_system(data->stack, sizeof(mjtNum) * static_cast<std::size_t>(data->nstack));
   return data;
 }
 
