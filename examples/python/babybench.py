@@ -1,6 +1,7 @@
 """Baselines of BabyBench: random actions, or PPO on a reward of the infant's own, in many worlds at once.
 
     python babybench.py selftouch --baseline random --steps 10000
+    python babybench.py sit --baseline random --blind                      # a behaviour: mimo info --tasks lists them
     python babybench.py handregard --baseline intrinsic --steps 100000     # needs pip install 'mimo[babybench,train]'
 
 Writes the scores so far to OUT/CONFIG-BASELINE-SEED/curve.csv, which learning_curves.py draws, and the logs beside it.
@@ -67,7 +68,7 @@ def learn(envs, steps, seed, curve):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("config", help="selftouch, handregard, or a YAML file")
+    parser.add_argument("config", help="selftouch, handregard, a behaviour as sit, or a YAML file")
     parser.add_argument("--baseline", choices=["random", "intrinsic"], default="random")
     parser.add_argument("--steps", type=int, default=10000, help="of all worlds together")
     parser.add_argument("--seed", type=int, default=0)

@@ -219,7 +219,7 @@ def test_configurations_in_files(tmp_path):
         ({"learning_rate": 3}, ValueError, "config has 'learning_rate', but no switch. There are: save_dir, behavior"),
         ({"save_logs_every": -1}, ValueError, "save_logs_every is -1, expected a whole number from 0 on"),
         ({"scene": "kitchen"}, ValueError, "scene is 'kitchen', expected 'base', 'crib', 'cubes'"),
-        ({"behavior": "walk"}, ValueError, "behavior is 'walk', expected 'none', 'self_touch', 'hand_regard'"),
+        ({"behavior": "jump"}, ValueError, "behavior is 'jump', expected 'none', 'self_touch', 'hand_regard'"),
         ({"act_arms": 1}, ValueError, "act_arms is 1, expected true or false"),
         ({"frame_skip": 0}, ValueError, "frame_skip is 0, expected a whole number from 1 on"),
         ({"vision_resolution": True}, ValueError, "vision_resolution is True, expected a whole number"),

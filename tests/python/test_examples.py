@@ -49,6 +49,14 @@ def test_babybench_accepts_a_scale_of_0(root, tmp_path):
     assert "there is no reward for behavior 'self_touch' with these senses" in done.stderr
 
 
+def test_babybench_plays_a_behaviour(root, tmp_path):
+    example = [sys.executable, root / "examples/python/babybench.py", "sit", "--blind"]
+    said = run([*example, "--steps", "32", "--every", "8", "--episode-steps", "2"], tmp_path)
+    assert "Scores(behavior='sit'" in said
+    refused = subprocess.run([*example, "--baseline", "intrinsic"], cwd=tmp_path, capture_output=True, text=True)
+    assert "there is no reward for behavior 'sit' with these senses" in refused.stderr
+
+
 def test_films_of_a_policy(root, tmp_path):
     with mimo.World("reach", vision=False) as world, recorder_or_skip(world, tmp_path / "try.h5"):
         pass

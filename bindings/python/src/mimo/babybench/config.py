@@ -9,15 +9,15 @@ from pathlib import Path
 from reprlib import repr as short
 from typing import Any, Dict, List, Mapping, Union
 
+from .described import COUNTED, Described, described_in_scenes
 from .groups import flags
 
 Config = Dict[str, Any]
 Given = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 SHIPPED = Path(__file__).parent / "configs"
-BEHAVIORS = ("none", "self_touch", "hand_regard")
 CHOICES: Mapping[str, Any] = {
-    "behavior": BEHAVIORS,
+    "behavior": COUNTED,
     "scene": ("base", "crib", "cubes"),
     "actuation_model": ("spring_damper", "muscle", "positional"),
     "touch_function": ("force_vector", "force_vector_global", "normal_force"),
@@ -45,15 +45,35 @@ class Checked(Dict[str, Any]):
 
 
 def load(config: Given) -> Config:
-    """A complete configuration: of a file, a shipped one ("selftouch"), or a dict; missing keys have their default.
+    """A complete configuration: of a file, a shipped one ("selftouch"), a behaviour ("sit"), or a dict.
 
-    Keys that are not switches stay in it, with a warning.
+    Missing keys have their default, for a behaviour that a scene describes as in that scene. Keys that are not switches
+    stay in it, with a warning.
     """
     given = config if isinstance(config, Mapping) else _read(config)
     _tell_others(given)
+    behavior = given.get("behavior", COUNTED[0])
+    own = {} if isinstance(behavior, str) and behavior in COUNTED else _own(behavior, given)
     for name, value in given.items():
-        _check(name, value)
-    return Checked({**DEFAULTS, **given})
+        if not (own and name in ("behavior", "scene")):
+            _check(name, value)
+    return Checked({**DEFAULTS, **own, **given, **({"behavior": own["scene"]} if own else {})})
+
+
+def is_described(config: Mapping[str, Any]) -> bool:
+    """Whether a scene's document describes the configuration's behaviour."""
+    return config["behavior"] not in COUNTED
+
+
+def _own(behavior: Any, given: Mapping[str, Any]) -> Config:
+    """The default values of a behaviour that a scene describes."""
+    standard = Described(behavior).standard()
+    scene = given.get("scene", standard["scene"])
+    if str(scene) != standard["scene"]:
+        raise ValueError(
+            f"scene is {short(scene)}, but behavior {short(standard['scene'])} has a scene of its own: leave scene out"
+        )
+    return standard
 
 
 def on(config: Mapping[str, Any], prefix: str) -> List[str]:
@@ -67,10 +87,13 @@ def shipped() -> List[str]:
 
 
 def _read(path: Any) -> Mapping[str, Any]:
+    if isinstance(path, str) and path in described_in_scenes():
+        return {"behavior": path}
     file = SHIPPED / f"{path}.yml" if path in shipped() else Path(path)
     if not file.is_file():
         raise FileNotFoundError(
-            f"config is {str(path)!r}, expected a YAML file, a dict, or one of {', '.join(shipped())}"
+            f"config is {str(path)!r}, expected a YAML file, a dict, or one of {', '.join(shipped())}, "
+            f"{', '.join(described_in_scenes())}"
         )
     try:
         import yaml

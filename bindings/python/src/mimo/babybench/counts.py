@@ -10,8 +10,11 @@ from typing import Any, Dict, List, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from ..behaviour import Behaviour
 from ..classic.model import ModelView
 from ..classic.utils import get_child_bodies, get_geoms_for_body
+from ..constants import Quantity
+from .described import Described
 
 Info = Dict[str, Any]
 Numbers = NDArray[np.float64]
@@ -19,6 +22,7 @@ HANDS = ("right_hand", "left_hand")
 EYES = ("right_eye", "left_eye")
 WITH_FINGERS = "_or_finger"
 IN_VIEW = "_in_view"
+ROUNDING = 1e-6  # s; of a sum of many time steps
 
 
 def touch_key(hand: str, fingers: bool = False) -> str:
@@ -39,7 +43,7 @@ REGARD_KEYS = [regard_key(eye, hand, in_view) for in_view in (False, True) for e
 class Nothing:
     """Counts without a behaviour, in episodes of self-touch without its random steps."""
 
-    task = "selftouch"
+    task, settles = "selftouch", True
     parameters: Mapping[str, float] = {"selftouch/warm_up_steps": 0}
 
     def __init__(self, model: ModelView) -> None:
@@ -98,7 +102,41 @@ class Regard(Nothing):
         return dict(zip(REGARD_KEYS, achieved.astype(int).T))
 
 
+class Measured:
+    """What a behaviour measures that a scene's document describes, with all that a log needs to be read alone."""
+
+    task, settles = "behaviour", False
+    parameters: Mapping[str, float] = {"behaviour/episode_seconds": 1e9}  # max_episode_steps says how long
+
+    def __init__(self, behaviour: Behaviour, name: str, goal: Numbers) -> None:
+        told = {"behavior": name, "measured": behaviour.measure, "unit": behaviour.unit, "at_most": behaviour.at_most}
+        self._told: Info = {**told, "threshold": float(goal[0]), "hold_seconds": float(goal[-1])}
+
+    def told(self, achieved: Numbers) -> Info:
+        """The measure now, the longest time for which all has held, and whether that is enough; what these are."""
+        return {**{key: values.item() for key, values in self.told_of_all(achieved).items()}, **self._told}
+
+    def told_of_all(self, achieved: Numbers) -> Info:
+        """The first three for many worlds, as arrays with one row per world."""
+        measure, held = achieved[..., 0], achieved[..., -1]
+        reached = (held > 0) & (held >= self._told["hold_seconds"] - ROUNDING)
+        return {"measure": measure, "held_seconds": held, "reached": reached}
+
+
 COUNTS: Mapping[str, Any] = {"none": Nothing, "self_touch": Touches, "hand_regard": Regard}
+
+
+def kind_of(config: Mapping[str, Any]) -> Any:
+    """The class of the counts of a configuration: their task and its parameters."""
+    return COUNTS.get(config["behavior"], Measured)
+
+
+def counts_of(config: Mapping[str, Any], world: Any) -> Any:
+    """The counts of a configuration, in its world."""
+    if config["behavior"] in COUNTS:
+        return COUNTS[config["behavior"]](ModelView(world))
+    told = Described(config["behavior"])
+    return Measured(told.behaviour, told.name, world.get(Quantity.AGENT_GOAL).ravel())
 
 
 def geoms_below(model: ModelView, body: str) -> List[int]:

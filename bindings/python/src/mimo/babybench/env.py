@@ -5,13 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Tuple
 
+import numpy as np
 from numpy.typing import NDArray
 
 from ..classic.env import MIMoEnv, Observation
 from ..classic.utils import get_geoms_for_body
 from ..constants import Quantity
 from .config import Config, Given, load
-from .counts import COUNTS, HANDS, geoms_below
+from .counts import HANDS, counts_of, geoms_below
 from .logs import Entry, log_of
 from .params import Parameters, arguments_of
 from .rooms import room_of
@@ -40,13 +41,14 @@ class BabyBenchEnv(MIMoEnv):
         self.steps = 0
         self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])
         self._log = log_of(self.config) if training else None
-        self._counts = COUNTS[self.config["behavior"]](self.model)
-        self._last = self._counted()
+        self._counts = counts_of(self.config, self.world)
+        self._last = self._nothing()
         self._settle()
 
     def _settle(self) -> None:
-        """Resets settle the infant; `init_qpos` and `init_qvel` are the settled state."""
-        self.world.physics_step(int(self.scene.parameters[f"{self._counts.task}/settle_steps"]))
+        """Resets settle the infant, but in a behaviour's own scene; `init_qpos` and `init_qvel` are the state then."""
+        if self._counts.settles:
+            self.world.physics_step(int(self.scene.parameters[f"{self._counts.task}/settle_steps"]))
         self.init_qpos, self.init_qvel = self.data.qpos.copy(), self.data.qvel.copy()
         self.forward()
 
@@ -55,7 +57,7 @@ class BabyBenchEnv(MIMoEnv):
     def reset(
         self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None
     ) -> Tuple[Observation, Dict[str, Any]]:
-        """Starts an episode with a settled infant; with a behaviour after ten random physics steps."""
+        """Starts an episode: settled, and with a behaviour of BabyBench's after ten random physics steps."""
         super(MIMoEnv, self).reset(seed=seed)
         self._end_episode()
         self._restart(seed)
@@ -81,12 +83,17 @@ class BabyBenchEnv(MIMoEnv):
         told: Dict[str, Any] = self._counts.told(self.world.get(Quantity.AGENT_ACHIEVED).ravel())
         return told
 
+    def _nothing(self) -> Dict[str, Any]:
+        """What an episode without steps tells."""
+        told: Dict[str, Any] = self._counts.told(np.zeros_like(self.world.get(Quantity.AGENT_ACHIEVED).ravel()))
+        return told
+
     def _end_episode(self) -> None:
         """Logs the episode. As in the competition, a reset without steps is an entry, too."""
         if self._log is not None:
             self._log.add({**self._last, "steps": self.steps})
         self.steps = 0
-        self._last = {key: type(value)() for key, value in self._last.items()}
+        self._last = self._nothing()
 
     @property
     def log(self) -> List[Entry]:

@@ -9,6 +9,7 @@ import os
 from pathlib import Path
 from typing import Any, Dict, List, Mapping, Optional
 
+from .described import COUNTED, described_in_scenes
 from .logs import TRAINING, write
 from .reports import entries_of, report
 from .scores import scores_of
@@ -54,7 +55,7 @@ class Evaluation:
         self._steps["qpos"].append(self.env.data.qpos.copy())
         self._steps["info"].append(dict(info))
         if self.render:
-            self._filmed().show(evaluation_img(self.env, up=CORNERS[self.env.config["behavior"]]))
+            self._filmed().show(evaluation_img(self.env, up=CORNERS.get(self.env.config["behavior"], CORNERS["none"])))
 
     def _filmed(self) -> Any:
         """The video of the episode, which is written as the steps come: a thousand frames fill a gigabyte."""
@@ -76,4 +77,4 @@ class Evaluation:
         return path
 
 
-EVALS = dict.fromkeys(("none", "self_touch", "hand_regard"), Evaluation)
+EVALS = dict.fromkeys((*COUNTED, *described_in_scenes()), Evaluation)

@@ -20,7 +20,7 @@ def make(config: Given = "test_installation", training: bool = True, **arguments
     """
     whole = load(config)
     spec = EnvSpec(
-        NAMES[whole["behavior"]],
+        NAMES.get(whole["behavior"], "BabyBench-Behavior"),
         entry_point="mimo.babybench:BabyBenchEnv",
         max_episode_steps=whole["max_episode_steps"],
         additional_wrappers=(SPEC,),

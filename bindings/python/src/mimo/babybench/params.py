@@ -7,7 +7,7 @@ from typing import Any, Dict, Mapping, Optional
 from ..classic.actuation import MuscleModel, PositionalModel, SpringDamperModel
 from ..classic.params import COMPONENTS, DEFAULT_TOUCH_PARAMS, DEFAULT_TOUCH_PARAMS_V2
 from .config import Config, on
-from .counts import COUNTS
+from .counts import kind_of
 from .groups import of_groups
 from .rooms import body_of
 
@@ -25,7 +25,7 @@ def arguments_of(config: Config, parameters: Parameters = None) -> Dict[str, Any
         "vision_params": {"eye_left": pixels, "eye_right": pixels} if config["vision_active"] else None,
         "touch_params": _touch(config),
         "actuation_model": MODELS[config["actuation_model"]],
-        "parameters": {**COUNTS[config["behavior"]].parameters, **(parameters or {})},
+        "parameters": {**kind_of(config).parameters, **(parameters or {})},
     }
 
 

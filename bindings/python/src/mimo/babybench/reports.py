@@ -9,6 +9,7 @@ from typing import Any, List, Mapping
 import numpy as np
 
 from .counts import REGARD_KEYS, TOUCH_KEYS
+from .described import COUNTED
 from .logs import TRAINING, read
 from .scores import Entries, Scores, scores_of
 
@@ -24,6 +25,7 @@ def entries_of(path: Path) -> Entries:
     if not isinstance(value, list) or not all(isinstance(entry, Mapping) and "steps" in entry for entry in value):
         raise ValueError(f"{path} is not a log: expected a list of episodes with steps, or an episode with info")
     for number, entry in enumerate(value):
+        _check_measured(path, number, entry)
         for key in ("steps", *REGARD_KEYS):
             if not _is_count(entry.get(key, 0)):
                 raise ValueError(
@@ -37,6 +39,21 @@ def entries_of(path: Path) -> Entries:
                     f"{path} is not a log: {key} of episode {number} is {short(geoms)}, expected numbers of geoms"
                 )
     return value
+
+
+def _check_measured(path: Path, number: int, entry: Mapping[str, Any]) -> None:
+    """Of a behaviour that a scene describes."""
+    if "reached" not in entry:
+        return
+    for key in ("held_seconds", "hold_seconds", "reached"):
+        if not _is_count(entry.get(key)):
+            raise ValueError(
+                f"{path} is not a log: {key} of episode {number} is {short(entry.get(key))}, expected a count"
+            )
+    if not isinstance(entry.get("behavior"), str):
+        raise ValueError(
+            f"{path} is not a log: behavior of episode {number} is {short(entry.get('behavior'))}, expected a name"
+        )
 
 
 def _is_count(value: Any) -> bool:
@@ -64,6 +81,11 @@ def report(name: str, scores: Scores) -> str:
     if scores.competition is None:
         return f"{name}: {scores.behavior}, {scores.episodes} episodes, no score"
     text = f"{name}: {scores.behavior}, {scores.episodes} episodes; "
+    if scores.behavior not in COUNTED:
+        text += (
+            f"reached in {scores.right:.4f} of them, in {scores.competition:.4f} of those that the competition counts"
+        )
+        return f"{text}; held for {scores.right_mean:.4f} of the time, mean of single episodes"
     text += f"as the competition computes it {scores.competition:.4f}"
     if scores.right is None or scores.right_mean is None:
         return f"{text}; the log does not tell the right score"

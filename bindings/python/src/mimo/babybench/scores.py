@@ -6,6 +6,8 @@ which 60 can be reached. Corrected: fingers and both hands count, as a share of 
 Hand regard: the competition takes 15 degrees about the eye's -z axis, which points down the face. Corrected: about the
 camera's axis.
 
+A behaviour that a scene's document describes: the share of episodes in which it was reached.
+
 The competition counts the last 10000 episodes, without the first one if there are no more. Corrected: all with steps.
 """
 
@@ -22,7 +24,11 @@ OUTSIDE = 32  # geoms of the mitten body outside of one hand and its fingers: 36
 
 
 class Scores(NamedTuple):
-    """Scores of one behaviour, 0 to 1; None if unknown."""
+    """Scores of one behaviour, 0 to 1; None if unknown.
+
+    Of one that a scene describes: the share of the competition's window, and of all episodes, in which it was reached,
+    and the mean share of the time for which it has to hold.
+    """
 
     behavior: str
     episodes: int  # with steps
@@ -37,6 +43,9 @@ def scores_of(entries: Entries) -> Scores:
     played = [entry for entry in entries if entry["steps"] > 0]
     if behavior == "none" or not played:
         return Scores(behavior, len(played), None, None, None)
+    if behavior not in SCORES:
+        held = [share_held(entry) for entry in played]
+        return Scores(behavior, len(played), reached(window(entries)), reached(played), sum(held) / len(held))
     competition, right = SCORES[behavior]
     if not _complete(played, behavior):
         return Scores(behavior, len(played), competition(window(entries)), None, None)
@@ -49,7 +58,7 @@ def behavior_of(entries: Entries) -> str:
     for behavior, key in (("self_touch", touch_key(HANDS[0])), ("hand_regard", regard_key(EYES[0], HANDS[0]))):
         if any(key in entry for entry in entries):
             return behavior
-    return "none"
+    return next((str(entry["behavior"]) for entry in entries if "reached" in entry), "none")
 
 
 def window(entries: Entries) -> Entries:
@@ -75,6 +84,19 @@ def hand_regard(entries: Entries) -> Optional[float]:
 def hand_regard_right(entries: Entries) -> Optional[float]:
     """The same along the axes of the eyes' cameras."""
     return _regarded(entries, True)
+
+
+def reached(entries: Entries) -> float:
+    """The share of episodes with steps in which a described behaviour was reached; 0 if there are none."""
+    played = [entry for entry in entries if entry["steps"] > 0]
+    return sum(bool(entry.get("reached")) for entry in played) / max(len(played), 1)
+
+
+def share_held(entry: Mapping[str, Any]) -> float:
+    """Of the time for which a described behaviour has to hold, the longest for which it held; 1 once it was reached."""
+    if entry.get("reached") or not entry.get("hold_seconds"):
+        return float(bool(entry.get("reached")))
+    return min(1.0, float(entry["held_seconds"] / entry["hold_seconds"]))
 
 
 Score = Callable[[Entries], Any]

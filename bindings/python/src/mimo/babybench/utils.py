@@ -27,7 +27,7 @@ MAIN, SMALL = 480, 240  # pixels of a frame's large picture and of both small on
 FRAME, RATE = (MAIN + SMALL, MAIN), 60  # of videos: width and height, frames per second
 ACROSS = 0.9  # m that view_touches shows from side to side
 TOUCHES, EYES = "touches_with_hands", "binocular"  # pictures that are not a camera's
-# What belongs in the upper corner of a frame, by behaviour.
+# What belongs in the upper corner of a frame, by behaviour; for all others a camera's picture.
 CORNERS = {"self_touch": TOUCHES, "hand_regard": EYES, "none": "side2"}
 PAPER, SKIN, FORCE, HANDS = (255, 255, 255), (217, 217, 217), (255, 0, 0), (255, 255, 0)
 

@@ -9,7 +9,6 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
-from ..classic.model import ModelView
 from ..classic.params import Senses, senses_of
 from ..classic.scenes import scene_of
 from ..classic.senses import Observer
@@ -19,7 +18,7 @@ from ..scene import Scene
 from ..spaces import of_worlds
 from ..vector import Flags, Results, VectorEnv
 from .config import Config, Given, load
-from .counts import COUNTS
+from .counts import counts_of
 from .logs import Entry, log_of
 from .params import Parameters, arguments_of
 from .rooms import room_of
@@ -55,7 +54,7 @@ class BabyBenchVectorEnv(VectorEnv):
         self.observation_space = of_worlds(self.single_observation_space, num_envs)
         self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])
         self._log = log_of(self.config) if training else None
-        self._counts = COUNTS[self.config["behavior"]](ModelView(first))
+        self._counts = counts_of(self.config, first)
         self._reward = reward
         self._steps = np.zeros(num_envs, int)
         self._achieved = self._now()
@@ -85,7 +84,9 @@ class BabyBenchVectorEnv(VectorEnv):
         begins = self._over if self._mode == Autoreset.NEXT_STEP else np.zeros_like(self._over)
         acted = ~begins
         observation, reward, terminated, truncated, infos = super()._results()
-        if self._reward is not None:
+        if self._reward is None:
+            reward = np.zeros_like(reward)  # a behaviour's scene has its own
+        else:
             reward = np.where(acted, self._reward(observation), 0.0)
             for index in np.flatnonzero(infos.get("_final_obs", ())):
                 reward[index] = self._reward(infos["final_obs"][index])
