@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "solver/constraints.h"
+#include "solver/tree.h"
 
 namespace mimo::solver {
 
@@ -16,22 +17,6 @@ void integrate(const mjModel& model, mjData& data) { mj_Euler(&model, &data); }
 #else
 
 namespace {
-
-// In the order of mju_dot.
-double dot(const double* a, const double* b) {
-  return (a[0] * b[0] + a[2] * b[2]) + (a[1] * b[1] + a[3] * b[3]) + (a[4] * b[4] + a[5] * b[5]);
-}
-
-// The momentum of a body of this inertia (10 numbers, as mjData.crb) at this velocity.
-void momentum_of(const double* inertia, const double* velocity, double* momentum) {
-  const double *i = inertia, *v = velocity;
-  momentum[0] = i[0] * v[0] + i[3] * v[1] + i[4] * v[2] - i[8] * v[4] + i[7] * v[5];
-  momentum[1] = i[3] * v[0] + i[1] * v[1] + i[5] * v[2] + i[8] * v[3] - i[6] * v[5];
-  momentum[2] = i[4] * v[0] + i[5] * v[1] + i[2] * v[2] - i[7] * v[3] + i[6] * v[4];
-  momentum[3] = i[8] * v[1] - i[7] * v[2] + i[9] * v[3];
-  momentum[4] = i[6] * v[2] - i[8] * v[0] + i[9] * v[4];
-  momentum[5] = i[7] * v[0] - i[6] * v[1] + i[9] * v[5];
-}
 
 // Of each body with all that hangs on it.
 void sum_inertias(const mjModel& model, mjData& data) {
@@ -54,7 +39,8 @@ void fill_matrix(const mjModel& model, mjData& data) {
     double momentum[6];
     momentum_of(data.crb + 10 * model.dof_bodyid[dof], data.cdof + 6 * dof, momentum);
     *row = model.dof_armature[dof];
-    for (int other = dof; other >= 0; other = model.dof_parentid[other]) *row++ += dot(data.cdof + 6 * other, momentum);
+    for (int other = dof; other >= 0; other = model.dof_parentid[other])
+      *row++ += dot6(data.cdof + 6 * other, momentum);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "solver/collision.h"
 #include "solver/constraints.h"
 #include "solver/matrices.h"
+#include "solver/tree.h"
 
 namespace mimo::solver {
 namespace {
@@ -274,8 +275,7 @@ void begin_step(const mjModel& model, mjData& data) { mj_step1(&model, &data); }
 void begin_step(const mjModel& model, mjData& data) {
   mj_checkPos(&model, &data);
   mj_checkVel(&model, &data);
-  mj_kinematics(&model, &data);
-  mj_comPos(&model, &data);
+  update_poses(model, data);
   mj_camlight(&model, &data);
   mj_tendon(&model, &data);
   update_inertia(model, data);
@@ -284,7 +284,7 @@ void begin_step(const mjModel& model, mjData& data) {
   mj_transmission(&model, &data);
   mj_sensorPos(&model, &data);
   mj_energyPos(&model, &data);
-  mj_fwdVelocity(&model, &data);
+  update_velocities(model, data);
   mj_sensorVel(&model, &data);
   mj_energyVel(&model, &data);
 }
@@ -330,7 +330,7 @@ bool newton_step_serves(const mjModel& model) {
 
 void newton_step(const mjModel* model, mjData* data) {
   begin_step(*model, *data);
-  mj_fwdActuation(model, data);
+  actuate(*model, *data);
   mj_fwdAcceleration(model, data);
   solve_constraints(*model, *data);
   compat::expect_accelerations(*data);
