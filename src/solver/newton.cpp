@@ -7,6 +7,7 @@
 #include "solver/collision.h"
 #include "solver/constraints.h"
 #include "solver/matrices.h"
+#include "solver/rows.h"
 #include "solver/tree.h"
 
 namespace mimo::solver {
@@ -280,7 +281,7 @@ void begin_step(const mjModel& model, mjData& data) {
   mj_tendon(&model, &data);
   update_inertia(model, data);
   collide(model, data);
-  mj_makeConstraint(&model, &data);
+  make_constraints(model, data);
   mj_transmission(&model, &data);
   mj_sensorPos(&model, &data);
   mj_energyPos(&model, &data);

@@ -334,6 +334,18 @@ void find_bias(const mjModel& model, mjData& data) {
   compat::release_stack(data, stack);
 }
 
+// Of tendons that are the sum of a few joints: builds of MuJoCo add more in different orders. False if one is longer.
+bool find_tendon_velocities(const mjModel& model, mjData& data) {
+  for (int tendon = 0; tendon < model.ntendon; ++tendon) {
+    const int first = data.ten_J_rowadr[tendon], count = data.ten_J_rownnz[tendon];
+    if (count > 3) return false;
+    double sum = 0;
+    for (int at = first; at < first + count; ++at) sum += data.ten_J[at] * data.qvel[data.ten_J_colind[at]];
+    data.ten_velocity[tendon] = sum;
+  }
+  return true;
+}
+
 // A motor that acts on one degree of freedom only, so that all others of its row of moments are zero; -1 for others.
 int dof_of_motor(const mjModel& model, int motor) {
   const int kind = model.actuator_trntype[motor];
@@ -388,7 +400,7 @@ void update_poses(const mjModel& model, mjData& data) {
 
 MIMO_ALSO_FOR_AVX2
 void update_velocities(const mjModel& model, mjData& data) {
-  if (model.ntendon > 0) return mj_fwdVelocity(&model, &data);
+  if (!find_tendon_velocities(model, data)) return mj_fwdVelocity(&model, &data);
   find_motor_velocities(model, data);
   move_bodies(model, data);
   mj_passive(&model, &data);

@@ -1,4 +1,5 @@
-// Our poses, velocities and forces of motors against MuJoCo's own stages: the same numbers, to the bit.
+// Our poses, velocities, forces of motors and rows of constraints against MuJoCo's own stages: the same numbers, to the
+// bit.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -12,6 +13,7 @@
 #include "base/random.h"
 #include "compat/mujoco.h"
 #include "engine/model.h"
+#include "solver/rows.h"
 #include "solver/tree.h"
 #include "support/random_model.h"
 
@@ -25,27 +27,36 @@ struct DeleteData {
 };
 using Data = std::unique_ptr<mjData, DeleteData>;
 
-// Joints of all kinds, also several of one body and away from its origin; bodies without joints and without mass;
-// motors on all of them, with limits and without.
-constexpr const char* kJoints = R"(<mujoco><option jacobian='sparse'/><worldbody>
-  <body name='told' mocap='true' pos='1 0 0'><geom size='.1'/></body>
+// Joints of all kinds, also several of one body and away from its origin, with limits, friction and a tendon; bodies
+// without joints and without mass; motors on all of them, with limits and without.
+constexpr const char* kJoints = R"(<mujoco><option jacobian='sparse' cone='elliptic' impratio='2'/>
+  <default><geom condim='4' friction='.8 .02 .001' solimp='.8 .95 .5 .4 3'/></default><worldbody>
+  <geom type='plane' size='2 2 .1' pos='0 0 .5'/>
+  <body name='told' mocap='true' pos='1 0 0'><geom size='.4'/></body>
   <body name='root' pos='0 0 1'><freejoint name='free'/><geom type='box' size='.1 .2 .3' pos='.02 0 0'/><site name='s'/>
     <body pos='.2 0 0' euler='10 20 30'><inertial pos='.01 .02 .03' quat='1 .1 .2 .3' mass='2' diaginertia='.1 .2 .3'/>
-      <joint name='h1' axis='1 0 0' pos='.1 .2 0' damping='.3' stiffness='2' springref='.2'/>
-      <joint name='h2' axis='0 1 .5' pos='0 .1 .1'/><geom type='capsule' size='.05 .1' euler='0 40 0'/>
-      <body pos='0 .3 0'><joint name='slide' type='slide' axis='0 .3 1'/><geom size='.07' pos='.1 0 0'/>
+      <joint name='h1' axis='1 0 0' pos='.1 .2 0' damping='.3' stiffness='2' springref='.2' frictionloss='.1'/>
+      <joint name='h2' axis='0 1 .5' pos='0 .1 .1' limited='true' range='-20 30' margin='.1'/>
+      <geom type='capsule' size='.05 .1' euler='0 40 0'/>
+      <body pos='0 .3 0'><joint name='slide' type='slide' axis='0 .3 1' limited='true' range='-.1 .5' solreflimit='-90 -9'/>
+        <geom size='.07' pos='.1 0 0' condim='6'/>
         <body pos='0 0 .2' quat='1 .2 0 0'><site name='t' pos='.1 .2 .3' quat='1 0 .3 0'/>
-          <body pos='.1 0 0'><joint name='ball' type='ball' pos='.03 0 .02'/><geom size='.05'/></body>
+          <body pos='.1 0 0'><joint name='ball' type='ball' pos='.03 0 .02' limited='true' range='0 40' frictionloss='.2'/>
+            <geom size='.2' condim='1'/></body>
         </body>
       </body>
     </body>
-    <body pos='-.2 0 0'><joint name='h3' axis='0 0 1'/><geom type='ellipsoid' size='.05 .1 .07'/></body>
+    <body pos='-.2 0 0'><joint name='h3' axis='0 0 1' frictionloss='.3' solreffriction='.05 .7'/>
+      <geom type='ellipsoid' size='.05 .1 .07'/></body>
   </body></worldbody>
+  <tendon><fixed name='both' limited='true' range='-.2 .1' solimplimit='.7 .9 .3 .5 2'>
+    <joint joint='h1' coef='1'/><joint joint='h3' coef='-.5'/></fixed></tendon>
   <actuator>
     <motor joint='h1' gear='3'/><motor joint='h2' gear='-2' ctrllimited='true' ctrlrange='-.5 .4'/>
     <motor joint='slide' forcelimited='true' forcerange='-.1 .1'/><motor joint='h1'/>{}
   </actuator></mujoco>)";
 constexpr const char* kOtherMotors = "<motor joint='ball' gear='1 2 3'/><position joint='h3' kp='3'/>";
+constexpr const char* kRules = "cone='elliptic' jacobian='sparse'";
 
 struct Numbers {
   const char* name;
@@ -74,6 +85,7 @@ std::vector<Numbers> poses(const mjModel& m) {
 
 std::vector<Numbers> velocities(const mjModel& m) {
   return {{"actuator_velocity", &mjData::actuator_velocity, m.nu},
+          {"ten_velocity", &mjData::ten_velocity, m.ntendon},
           {"cvel", &mjData::cvel, 6 * m.nbody},
           {"cdof_dot", &mjData::cdof_dot, 6 * m.nv},
           {"qfrc_passive", &mjData::qfrc_passive, m.nv},
@@ -114,7 +126,7 @@ template <typename Compare>
 void each(Compare&& compare) {
   Random random(1);
   for (int i = 0; i < 12; ++i) {
-    const std::string document = i < 2 ? format(kJoints, i == 0 ? "" : kOtherMotors) : random_model(random, "");
+    const std::string document = i < 2 ? format(kJoints, i == 0 ? "" : kOtherMotors) : random_model(random, kRules);
     const engine::ModelPtr model = engine::compile(document, {}, {});
     for (int state = 0; state < 5; ++state) {
       SCOPED_TRACE(format("model {}, state {}", i, state));
@@ -150,6 +162,78 @@ TEST(SolverTree, MotorsPullAsMujocos) {
     solver::actuate(model, ours);
     expect_same(motors(model), ours, theirs);
   });
+}
+
+template <typename T>
+std::vector<T> copied(const T* values, int count) {
+  return {values, values + count};
+}
+
+void expect_same_rows(const mjData& ours, const mjData& theirs) {
+  const int rows = theirs.nefc, entries = theirs.efc_J_rowadr[rows - 1] + theirs.efc_J_rownnz[rows - 1];
+  ASSERT_EQ(ours.nefc, rows);
+  ASSERT_EQ(ours.nf, theirs.nf);
+  ASSERT_EQ(ours.maxuse_efc, theirs.maxuse_efc);
+  for (const auto array : {&mjData::efc_type, &mjData::efc_id, &mjData::efc_J_rownnz, &mjData::efc_J_rowadr}) {
+    ASSERT_EQ(copied(ours.*array, rows), copied(theirs.*array, rows));
+  }
+  ASSERT_EQ(copied(ours.efc_J_colind, entries), copied(theirs.efc_J_colind, entries));
+  ASSERT_EQ(copied(ours.efc_J, entries), copied(theirs.efc_J, entries));
+  for (const auto array : {&mjData::efc_pos, &mjData::efc_margin, &mjData::efc_frictionloss, &mjData::efc_R,
+                           &mjData::efc_D, &mjData::efc_diagApprox}) {
+    ASSERT_EQ(copied(ours.*array, rows), copied(theirs.*array, rows));
+  }
+  ASSERT_EQ(copied(ours.efc_KBIP, 4 * rows), copied(theirs.efc_KBIP, 4 * rows));
+  for (int i = 0; i < theirs.ncon; ++i) {
+    ASSERT_EQ(ours.contact[i].mu, theirs.contact[i].mu);
+    ASSERT_EQ(ours.contact[i].efc_address, theirs.contact[i].efc_address);
+    ASSERT_EQ(ours.contact[i].exclude, theirs.contact[i].exclude);
+  }
+}
+
+// As after the search for contacts.
+void forget_rows(mjData& data) {
+  data.nefc = data.nf = data.maxuse_efc = 0;
+  for (int i = 0; i < data.ncon; ++i) {
+    data.contact[i].efc_address = -1;
+    data.contact[i].mu = 0;
+    if (data.contact[i].exclude == 4) data.contact[i].exclude = 0;
+  }
+}
+
+TEST(SolverTree, MakesMujocosRows) {
+  int kinds[mjCNSTR_CONTACT_ELLIPTIC + 1] = {};
+  each([&](const mjModel& model, const mjData& theirs, mjData& ours) {
+    mj_copyData(&ours, &model, &theirs);
+    forget_rows(ours);
+    solver::make_constraints(model, ours);
+    expect_same_rows(ours, theirs);
+    for (int row = 0; row < theirs.nefc; ++row) ++kinds[theirs.efc_type[row]];
+  });
+  for (const int kind : {mjCNSTR_FRICTION_DOF, mjCNSTR_LIMIT_JOINT, mjCNSTR_LIMIT_TENDON, mjCNSTR_CONTACT_FRICTIONLESS,
+                         mjCNSTR_CONTACT_ELLIPTIC}) {
+    EXPECT_GT(kinds[kind], 5) << kind;
+  }
+}
+
+// Where there is no room for all rows it warns and leaves out the same ones.
+TEST(SolverTree, LeavesOutMujocosRows) {
+  for (const int room : {2, 6, 9, 11}) {
+    SCOPED_TRACE(room);
+    std::string document = format(kJoints, "");
+    document.insert(document.find("<option"), format("<size njmax='{}'/>", room));
+    const engine::ModelPtr model = engine::compile(document, {}, {});
+    Random random(3);
+    const Data theirs = random_data(*model, random), ours(mj_makeData(model.get()));
+    mj_forward(model.get(), theirs.get());
+    mj_copyData(ours.get(), model.get(), theirs.get());
+    forget_rows(*ours);
+    ours->warning[mjWARN_CNSTRFULL].number = 0;
+    solver::make_constraints(*model, *ours);
+    expect_same_rows(*ours, *theirs);
+    EXPECT_GT(theirs->warning[mjWARN_CNSTRFULL].number, 0);
+    EXPECT_EQ(ours->warning[mjWARN_CNSTRFULL].number, theirs->warning[mjWARN_CNSTRFULL].number);
+  }
 }
 
 TEST(SolverTree, MotorsRestWhereAControlIsNoNumber) {
