@@ -110,19 +110,23 @@ Slope slope_at(const Line& line, const Terms& terms, double at) {
   return sum;
 }
 
-void add_spring(const mjData& data, const Line& line, int row, Springs& springs) {
-  const int at = springs.count++;
-  springs.start[at] = line.start[row];
-  springs.change[at] = line.direction[row];
-  springs.weight[at] = data.efc_D[row] * line.direction[row];
-  springs.low[at] = -kInfinity;
-  springs.high[at] = kInfinity;
-  if (row >= data.ne + data.nf) {
-    springs.high[at] = 0;
-  } else if (row >= data.ne) {
-    springs.high[at] = data.efc_R[row] * data.efc_frictionloss[row];
-    springs.low[at] = -springs.high[at];
+// Rows [first, end).
+void add_springs_of(const mjData& data, const Line& line, int first, int end, const Springs& springs) {
+  const double *stiffness = data.efc_D, *resistance = data.efc_R, *loss = data.efc_frictionloss;
+  const int rubbing = std::max(first, data.ne), pushing = std::max(first, data.ne + data.nf);
+  const int at = springs.count - first;
+  for (int row = first; row < end; ++row) {
+    springs.start[at + row] = line.start[row];
+    springs.change[at + row] = line.direction[row];
+    springs.weight[at + row] = stiffness[row] * line.direction[row];
+    springs.low[at + row] = -kInfinity;
   }
+  for (int row = first; row < std::min(end, rubbing); ++row) springs.high[at + row] = kInfinity;
+  for (int row = rubbing; row < std::min(end, pushing); ++row) {
+    springs.high[at + row] = resistance[row] * loss[row];
+    springs.low[at + row] = -springs.high[at + row];
+  }
+  for (int row = pushing; row < end; ++row) springs.high[at + row] = 0;
 }
 
 Terms prepare(mjData& data, const Line& line) {
@@ -135,13 +139,15 @@ Terms prepare(mjData& data, const Line& line) {
                      take<double>(data, room)};
   Cone* cones = take<Cone>(data, data.ncon);
   int count = 0;
-  for (int row = 0; row < data.nefc; ++row) {
-    if (data.efc_type[row] != mjCNSTR_CONTACT_ELLIPTIC) {
-      add_spring(data, line, row, springs);
-      continue;
+  for (int row = 0; row < data.nefc;) {
+    const int first = row;
+    while (row < data.nefc && data.efc_type[row] != mjCNSTR_CONTACT_ELLIPTIC) ++row;
+    add_springs_of(data, line, first, row, springs);
+    springs.count += row - first;
+    for (; row < data.nefc && data.efc_type[row] == mjCNSTR_CONTACT_ELLIPTIC;) {
+      cones[count++] = cone_of(data, line, row);
+      row += data.contact[data.efc_id[row]].dim;
     }
-    cones[count++] = cone_of(data, line, row);
-    row += data.contact[data.efc_id[row]].dim - 1;
   }
   for (; springs.count % kLanes != 0; ++springs.count) {
     for (double* numbers : {springs.start, springs.change, springs.low, springs.high, springs.weight}) {
