@@ -90,6 +90,9 @@ def test_parameters_change_the_task():
     assert [bool(world.step().truncated[0]) for _ in range(2)] == [False, True]
     with pytest.raises(mimo.NotFoundError):
         scene.parameters["reach/nothing"] = 1
+    assert "reach/episode_steps" in scene.parameters
+    assert "reach/nothing" not in scene.parameters
+    assert (scene.parameters.get("reach/episode_steps"), scene.parameters.get("reach/nothing", 7)) == (2, 7)
 
 
 @pytest.mark.parametrize(

@@ -475,6 +475,16 @@ class Parameters(Strict, MutableMapping[str, float]):
     def __getitem__(self, name: str) -> float:
         return float(result(ctypes.c_double, LIB.mimo_scene_get_parameter, self._scene._handle, utf8(name)))
 
+    def __contains__(self, name: object) -> bool:  # __getitem__ raises no KeyError
+        return name in list(self)
+
+    def get(self, name: str, default: Any = None) -> Any:
+        """The value, or the default where there is no parameter of that name."""
+        try:
+            return self[name]
+        except NotFoundError:
+            return default
+
     def __setitem__(self, name: str, value: float) -> None:
         self._scene._set_parameter(name, value)
 
