@@ -14,7 +14,8 @@ import mimo
 
 def record(policy, age, seed, path):
     """An episode without eyes and skin; returns how it ended."""
-    world = mimo.World(policy.scene, age=age, touch=False, vision=False)
+    maturity = mimo.Mature.BODY | (mimo.Mature.DELAYS if policy.delays else 0)  # of nerves: as it has learned
+    world = mimo.World(policy.scene, age=age, maturity=maturity, touch=False, vision=False)
     policy.attach(world)
     world.reset(seed=seed)
     with mimo.Recorder(world, path, replace=True):

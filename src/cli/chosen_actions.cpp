@@ -25,8 +25,8 @@ std::vector<float> spontaneous_actions(const mimo::Env& env) {
 void add_action_options(CLI::App& command, ActionOptions& options) {
   command
       .add_option("--policy", options.policy,
-                  "Act as this policy does, until the episode is over. By default scene and\nage are the policy's, and "
-                  "nerves take no time")
+                  "Act as this policy does, until the episode is over. By default scene, age\nand nerves are as it has "
+                  "learned with them")
       ->type_name("FILE");
   command.add_flag("--spontaneous", options.spontaneous, "Move as infants of that age do by themselves, not at random")
       ->excludes("--policy");
@@ -37,7 +37,7 @@ void follow_policy(const CLI::App& command, const ActionOptions& options, WorldO
   const PolicyFile policy = read_policy(options.policy);
   if (command.count("--scene") == 0 && !policy.scene.empty()) world.scene = policy.scene;
   if (command.count("--age") == 0 && policy.age) world.age.age = policy.age;
-  if (command.count("--delays") == 0) world.age.delays = false;
+  if (command.count("--delays") == 0) world.age.delays = policy.delays;
 }
 
 ChosenActions::ChosenActions(const mimo::Env& env, const ActionOptions& options, std::uint64_t seed)

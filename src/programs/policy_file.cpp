@@ -24,13 +24,14 @@ constexpr std::size_t kMostPeriods = 64;
 constexpr int kMostNested = 16;  // nlohmann copies and prints nested values by calls of calls
 
 const Names& members_of_version_2() {
-  static const Names names = {"age", "hold_s", "clock_s", "reflex"};
+  static const Names names = {"age", "delays", "hold_s", "clock_s", "reflex"};
   return names;
 }
 
 const Names& members() {
-  static const Names names = {"format",    "version", "what",   "scene", "step_seconds", "fields", "actions", "mean",
-                              "deviation", "clip",    "layers", "how",   "age",          "hold_s", "clock_s", "reflex"};
+  static const Names names = {"format",  "version", "what",      "scene",   "step_seconds", "fields",
+                              "actions", "mean",    "deviation", "clip",    "layers",       "how",
+                              "age",     "delays",  "hold_s",    "clock_s", "reflex"};
   return names;
 }
 
@@ -189,6 +190,13 @@ std::optional<double> age(const std::string& file, const Json& content) {
   return months;
 }
 
+bool flag(const std::string& file, const Json& content, const char* name) {
+  const Json value = content.value(name, Json(false));
+  if (!value.is_boolean())
+    refuse_policy(file, text("\"%s\" is %s, expected true or false", name, value.dump().c_str()));
+  return value.get<bool>();
+}
+
 std::vector<double> periods(const std::string& file, const Json& content) {
   std::vector<double> found;
   if (!content.contains("clock_s")) return found;
@@ -245,6 +253,7 @@ PolicyFile read_policy(const std::string& file) {
   const Json scene = content.value("scene", Json(""));
   policy.scene = scene.is_string() ? scene.get<std::string>() : "";
   policy.age = age(file, content);
+  policy.delays = flag(file, content, "delays");
   policy.step_seconds = number_or(file, content, "step_seconds", 0);
   policy.hold_s = content.contains("hold_s") ? positive(file, content["hold_s"], "hold_s") : 0;
   policy.clip = static_cast<float>(number_or(file, content, "clip", 10));

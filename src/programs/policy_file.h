@@ -26,6 +26,7 @@ struct PolicyFile {
 
   std::string scene;          // in which it was learned; "" where the file does not say
   std::optional<double> age;  // months, at which it is watched
+  bool delays = false;        // it was learned with nerves of the infant's age
   double step_seconds = 0;    // 0: any
   double hold_s = 0;          // an output of the network holds so long; 0: one step
   float clip = 10;

@@ -151,6 +151,16 @@ def test_the_age_is_the_policy_s_unless_another_is_asked_for(tmp_path):
     assert [json.loads(one.stdout)["outcome"] for one in shown] == ["success", "none"]
 
 
+def test_nerves_are_those_with_which_the_policy_has_learned(tmp_path):
+    """It holds in no time, and falls with the nerves of six months, unless these are switched off."""
+    content = {**json.loads((POLICIES / "sit.json").read_text()), "delays": True}
+    (tmp_path / "late.json").write_text(json.dumps(content))
+    late = ["--policy", tmp_path / "late.json", "--json"]
+    shown = [json.loads(run(tmp_path, *late, *nerves).stdout) for nerves in ([], ["--delays", "none"])]
+    assert shown[0]["measure"]["held_seconds"] < 10
+    assert shown[1]["outcome"] == "success"
+
+
 def test_a_recording_of_a_policy_ends_with_its_episode(tmp_path):
     episode = ["--policy", POLICIES / "sit.json", "--seconds", 30]
     told = json.loads(run(tmp_path, *episode, "--json").stdout)

@@ -76,9 +76,10 @@ def test_a_posture_reads_nothing():
 
 def test_a_file_keeps_all_members_and_says_its_version(tmp_path):
     reflex = mimo.policy.StretchReflex(**REFLEX)
-    attached(hold_s=0.02, clock_s=[1.5], reflex=reflex).save(tmp_path / "new.json")
+    attached(hold_s=0.02, clock_s=[1.5], reflex=reflex, age=5, delays=True).save(tmp_path / "new.json")
     again = mimo.Policy.load(tmp_path / "new.json")
     assert (again.hold_s, again.clock_s, again.reflex) == (0.02, [1.5], reflex)
+    assert (again.age, again.delays) == (5, True)
     assert json.loads((tmp_path / "new.json").read_text())["version"] == again.version == 2
     attached().save(tmp_path / "old.json")
     assert json.loads((tmp_path / "old.json").read_text())["version"] == 1
@@ -202,6 +203,7 @@ WRONG = [
     ({"holds_s": 0.05}, "holds_s"),
     ({"version": 1}, "needs version 2, and its version is 1"),
     ({"age": 25}, "age"),
+    ({"delays": 1}, "delays"),
     ({"hold_s": 0}, "hold_s"),
     ({"hold_s": "0.05"}, "hold_s"),
     ({"clock_s": [0.5, -1]}, "clock_s"),

@@ -164,6 +164,20 @@ def test_policies_act_in_their_scenes_at_their_age(scene, age):
         assert wrong == []
 
 
+def test_nerves_are_as_old_as_a_policy_has_learned_with():
+    with opened(400, 400) as (shown, wrong):
+        shown.click("#run")
+        latest = "Math.max(...mimoPage.world.layout.delays('proprioception/position'))"
+        for delays in (True, False):
+            shown.evaluate(
+                "delays => { mimoPage.policies.find(({ scene }) => scene === 'sit').delays = delays; }", delays
+            )
+            shown.select_option("#scenes", "reach")
+            shown.select_option("#scenes", "sit")
+            assert (shown.evaluate(latest) > 0) == delays
+        assert wrong == []
+
+
 def test_phone_shows_everything_in_its_width():
     with opened(390, 800) as (shown, _):
         assert shown.evaluate("document.documentElement.scrollWidth") <= 390

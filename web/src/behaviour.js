@@ -1,7 +1,7 @@
 /** What the infant does: nothing, random movements, or what a network has learned. */
 
 const FORMAT = "mimo-policy";
-const NEW = ["age", "hold_s", "clock_s", "reflex"]; // members of version 2
+const NEW = ["age", "delays", "hold_s", "clock_s", "reflex"]; // members of version 2
 const MEMBERS = ["format", "version", "what", "scene", "step_seconds", "fields", "actions", "mean", "deviation", "clip", "layers", "how", ...NEW];
 const REFLEX = ["stiffness", "damping", "joints", "start"];
 const MOST_PERIODS = 64;
@@ -75,6 +75,8 @@ export class Policy {
     checkMembers(content);
     this.scene = content.scene ?? "";
     this.age = monthsOf(content.age);
+    this.delays = content.delays ?? false;
+    if (typeof this.delays !== "boolean") refuse(`"delays" is ${JSON.stringify(content.delays)}, expected true or false`);
     this.stepSeconds = positive("step_seconds", content.step_seconds ?? 0, 0);
     this.clip = positive("clip", content.clip ?? 10);
     this.fields = list("fields", content.fields);

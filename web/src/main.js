@@ -53,6 +53,13 @@ class Page extends Shown {
     return this.policies.find((policy) => policy.scene === scene);
   }
 
+  /** Body and eyes are as old as the slider says; nerves only where a policy has learned with their delays. */
+  #growth() {
+    const { Mature } = mimo;
+    const delays = this.#learnedIn(page.scenes.value)?.delays ? Mature.DELAYS : 0;
+    return { age: Number(page.age.value), maturity: Mature.BODY | Mature.EYES | delays };
+  }
+
   /** Makes the world that is chosen; a refused one leaves the old one. */
   make() {
     trying(() => {
@@ -64,8 +71,7 @@ class Page extends Shown {
           ...{ visionWidth: PIXELS, visionHeight: PIXELS },
           touch: mimo.Touch.FORCE,
           hearing: mimo.Hearing.EARS,
-          // The eyes are as old as the infant. Its nerves are not, because policies did not learn with their delays.
-          growth: { age: Number(page.age.value), maturity: mimo.Mature.BODY | mimo.Mature.EYES },
+          growth: this.#growth(),
         });
         const task = page.tasks.value;
         world = new mimo.World(scene, task === "the scene's" ? {} : { task });
@@ -90,7 +96,7 @@ class Page extends Shown {
   grow() {
     trying(() => {
       this.pull?.release();
-      this.world.reset({ age: { age: Number(page.age.value), maturity: mimo.Mature.BODY | mimo.Mature.EYES } });
+      this.world.reset({ age: this.#growth() });
       this.renew(true);
     });
   }

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 FORMAT, VERSIONS = "mimo-policy", (1, 2)
 CLIP = 10.0  # scaled observations go no further, by default
 MOST_PERIODS, LARGEST = 64, float(np.finfo(np.float32).max)
-NEW = ("age", "hold_s", "clock_s", "reflex")  # members of version 2
+NEW = ("age", "delays", "hold_s", "clock_s", "reflex")  # members of version 2
 NEEDED = ("fields", "actions", "mean", "deviation", "layers")
 MEMBERS = ("format", "version", "what", "scene", "step_seconds", "clip", "how", *NEEDED, *NEW)
 LAYER = ("rows", "weights", "bias")
@@ -47,7 +47,8 @@ class Policy:
     `fields` are names and counts of the observation's fields, one after the other; `clock_s` are periods whose sine and
     cosine are read after them; `mean` and `deviation` scale all of these. What the network gives holds for `hold_s`, or
     one step. With a `reflex` it gives goals of joints, and the reflex makes an action of them in every step. The
-    program and the page show it with an infant of `age` months, unless they are asked for another.
+    program and the page show it with an infant of `age` months, unless they are asked for another; with `delays` its
+    nerves are as old, too, as they were when it learned.
     """
 
     def __init__(
@@ -62,6 +63,7 @@ class Policy:
         step_seconds: float = 0.0,
         clip: float = CLIP,
         age: Optional[float] = None,
+        delays: bool = False,
         hold_s: Optional[float] = None,
         clock_s: Sequence[float] = (),
         reflex: Union[StretchReflex, Mapping[str, Any], None] = None,
@@ -74,7 +76,7 @@ class Policy:
         self.mean, self.deviation = _finite("mean", mean), _finite("deviation", deviation)
         self.scene, self.clip = scene, _positive("clip", clip)
         self.step_seconds = _positive("step_seconds", step_seconds, or_zero=True)
-        self.age = None if age is None else _months(age)
+        self.age, self.delays = None if age is None else _months(age), _flag("delays", delays)
         self.hold_s = None if hold_s is None else _positive("hold_s", hold_s)
         self.clock_s = [_positive("clock_s", period) for period in _listed("clock_s", clock_s)]
         self.what, self.how = what, {} if how is None else how
@@ -143,7 +145,7 @@ class Policy:
     @property
     def version(self) -> int:
         """Of the file that `save` writes: 1 where other readers of version 1 can read it."""
-        new = self.age is not None or self.hold_s or self.clock_s or self.reflex
+        new = self.age is not None or self.delays or self.hold_s or self.clock_s or self.reflex
         return 1 if self.fields and not new else 2
 
     @classmethod
@@ -180,6 +182,7 @@ class Policy:
             "step_seconds": self.step_seconds,
             "clip": self.clip,
             "age": self.age,
+            "delays": self.delays or None,
             "hold_s": self.hold_s,
             "clock_s": self.clock_s or None,
             "reflex": self.reflex and self.reflex._asdict(),
@@ -348,6 +351,12 @@ def _months(age: Any) -> float:
     if not (_is_number(age) and 0 <= age <= 24):
         raise ValueError(f"age is {age!r}, expected months from 0 to 24")
     return float(age)
+
+
+def _flag(name: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise ValueError(f"{name} is {value!r}, expected true or false")
+    return value
 
 
 def _finite(name: str, values: ArrayLike) -> Numbers:
