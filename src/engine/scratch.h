@@ -24,10 +24,10 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
 
  private:
-  mjData& data_;
-  ScratchMemory* memory_ = nullptr;
-  double* own_stack_ = nullptr;
-  std::ptrdiff_t moved_ = 0;  // the Jacobian, by bytes
+  [[maybe_unused]] mjData& data_;
+  [[maybe_unused]] ScratchMemory* memory_ = nullptr;
+  [[maybe_unused]] double* own_stack_ = nullptr;
+  [[maybe_unused]] std::ptrdiff_t moved_ = 0;  // the Jacobian, by bytes
 };
 
 }  // namespace mimo::engine
