@@ -89,7 +89,7 @@ function mimo_options()
 %
 %   Many worlds: mimo_create:
 %     worlds                1 (default) to 1048576.
-%     threads               Up to 4096; 0 (default): the number of cores. Never more than worlds.
+%     threads               Up to 4096; 0 (default): the cores that the caller may use. Never more than worlds.
 %     autoreset             A word of Autoreset. When one agent's episode ends, the others' are truncated.
 %     restart_failed        1: a world whose simulation fails starts a new episode, as after an end (with 'none': in the
 %                           same step). 0: it stays failed until mimo_reset or a loaded state.

@@ -350,7 +350,7 @@
  * Settings of a batch. The autoreset modes are those of Gymnasium's vector environments.
  * @typedef {object} BatchConfig
  * @property {number} [worlds] 1 (default) to 1048576.
- * @property {number} [threads] Up to 4096; 0 (default): the number of cores. Never more than worlds.
+ * @property {number} [threads] Up to 4096; 0 (default): the cores that the caller may use. Never more than worlds.
  * @property {number} [autoreset] A Autoreset constant. When one agent's episode ends, the others' are truncated.
  * @property {boolean} [restartFailed] true: a world whose simulation fails starts a new episode, as after an end
  * (with Autoreset.NONE: in the same step). false: it stays failed until Batch.reset or a loaded state.

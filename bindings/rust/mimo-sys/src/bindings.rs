@@ -1768,7 +1768,7 @@ pub struct mimo_batch_config {
     pub struct_size: u32,
     /// 1 (default) to 1048576.
     pub worlds: u32,
-    /// Up to 4096; 0 (default): the number of cores. Never more than worlds.
+    /// Up to 4096; 0 (default): the cores that the caller may use. Never more than worlds.
     pub threads: u32,
     /// A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated.
     pub autoreset: i32,
@@ -3557,7 +3557,7 @@ extern "C" {
     /// * `clone`: receives the handle; destroy it with mimo_env_destroy.
     pub fn mimo_env_clone(env: *const mimo_env, clone: *mut *mut mimo_env) -> mimo_status;
 
-    /// Fills a config with defaults: one world, all cores, no automatic reset.
+    /// Fills a config with defaults: one world, all cores that the caller may use, no automatic reset.
     ///
     /// * `size`: sizeof(mimo_batch_config) as the caller knows it.
     pub fn mimo_batch_config_init(config: *mut mimo_batch_config, size: usize) -> mimo_status;

@@ -928,7 +928,7 @@ impl BatchConfig {
         self
     }
 
-    /// Up to 4096; 0 (default): the number of cores. Never more than worlds.
+    /// Up to 4096; 0 (default): the cores that the caller may use. Never more than worlds.
     pub fn threads(&mut self, threads: u32) -> &mut Self {
         self.raw.threads = threads;
         self
