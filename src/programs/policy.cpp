@@ -55,8 +55,9 @@ void Policy::attach_step(double step) {
                   text("it was learned with steps of %g s, and the world's last %g s", file_.step_seconds, step));
   }
   step_ = step;
+  last_ = -1;
   const double steps = file_.hold_s > 0 ? file_.hold_s / step : 1;
-  hold_ = std::llround(std::min(steps, 1e9));
+  hold_ = std::llround(steps);
   if (hold_ < 1 || std::abs(steps - static_cast<double>(hold_)) > 1e-6 * steps) {
     refuse_policy(name_, text("\"hold_s\" is %g, expected a whole number of steps of %g s", file_.hold_s, step));
   }
@@ -96,7 +97,7 @@ void Policy::attach_reflex(const mimo::Layout& layout) {
 
 const std::vector<float>& Policy::act(const mimo::Block& block, double time) {
   const std::int64_t step = std::llround(time / step_);
-  if (step % hold_ == 0 || step / hold_ != last_ / hold_ || step < last_) think(block, time);
+  if (last_ < 0 || step % hold_ == 0 || step / hold_ != last_ / hold_ || step < last_) think(block, time);
   last_ = step;
   if (file_.reflex) pull(block);
   return commands_;

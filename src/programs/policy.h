@@ -36,8 +36,8 @@ class Policy {
   std::string name_;
   PolicyFile file_;
   double step_ = 0;
-  std::int64_t hold_ = 1, last_ = 0;  // steps: of an output, and since the episode began
-  std::vector<mimo_field> places_;    // of the fields in the world's block
+  std::int64_t hold_ = 1, last_ = -1;  // steps: of an output, and of the episode when it acted last; -1: never
+  std::vector<mimo_field> places_;     // of the fields in the world's block
   mimo_field angles_{}, velocities_{};
   std::vector<std::size_t> joints_;  // of the reflex: elements of both
   std::vector<float> seen_;

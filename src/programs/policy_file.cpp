@@ -166,6 +166,17 @@ double positive(const std::string& file, const Json& value, const char* name, bo
   return number;
 }
 
+// Shorter periods and longer holds are a mistake, and their quotients would end at infinity.
+double seconds(const std::string& file, const Json& value, const char* name) {
+  constexpr double kLeast = 1e-3, kMost = 1e6;
+  const double number = value.is_number() ? value.get<double>() : 0;
+  if (!(number >= kLeast && number <= kMost)) {
+    refuse_policy(file,
+                  text("\"%s\" is %s, expected seconds from %g to %g", name, value.dump().c_str(), kLeast, kMost));
+  }
+  return number;
+}
+
 double number_or(const std::string& file, const Json& content, const char* name, double otherwise) {
   const Json value = content.value(name, Json(otherwise));
   return value == otherwise ? otherwise : positive(file, value, name);
@@ -201,7 +212,7 @@ std::vector<double> periods(const std::string& file, const Json& content) {
   std::vector<double> found;
   if (!content.contains("clock_s")) return found;
   for (const Json& period : list_in(file, content, "clock_s", true)) {
-    found.push_back(positive(file, period, "clock_s"));
+    found.push_back(seconds(file, period, "clock_s"));
   }
   if (found.size() > kMostPeriods) {
     refuse_policy(file, text("\"clock_s\" has %zu periods, expected at most %zu", found.size(), kMostPeriods));
@@ -255,7 +266,7 @@ PolicyFile read_policy(const std::string& file) {
   policy.age = age(file, content);
   policy.delays = flag(file, content, "delays");
   policy.step_seconds = number_or(file, content, "step_seconds", 0);
-  policy.hold_s = content.contains("hold_s") ? positive(file, content["hold_s"], "hold_s") : 0;
+  policy.hold_s = content.contains("hold_s") ? seconds(file, content["hold_s"], "hold_s") : 0;
   policy.clip = static_cast<float>(number_or(file, content, "clip", 10));
   policy.fields = fields(file, content);
   policy.clock_s = periods(file, content);

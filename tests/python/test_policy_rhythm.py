@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -49,6 +50,44 @@ def test_an_output_holds_and_an_episode_begins_it_anew():
     ]
     # Steps 0, 3, again 0, and one of another hold: from each on, the number that was seen then.
     assert given == pytest.approx([0, 0, 0, 0.3, 0.3, 0.5, 0.5, 0.7], abs=1e-6)
+
+
+def test_half_steps_hold_as_long():
+    """A physics step of two in a step of the world: halves are rounded up, in all readers."""
+    policy = attached(hold_s=0.02)
+    times = [0.005, 0.015, 0.025, 0.035, 0.045]  # steps 1 to 5
+    given = [policy.act(seen(a=(number / 10, 0)), [-1], [1], time)[0] for number, time in enumerate(times, 1)]
+    assert given == pytest.approx([0.1, 0.2, 0.2, 0.4, 0.4], abs=1e-6)
+
+
+def test_what_begins_within_a_hold_thinks_at_once():
+    policy = attached(hold_s=0.05)
+    assert policy.act(seen(a=(0.3, 0)), [-1], [1], 0.01) == pytest.approx([0.3])
+    policy.attach(fake())
+    assert policy.act(seen(a=(0.6, 0)), [-1], [1], 0.02) == pytest.approx([0.6])
+    assert policy.act(seen(a=(0.9, 0)), [-1], [1], 0.03) == pytest.approx([0.6])
+
+
+def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path):
+    policy = attached()
+    policy.save(tmp_path / "kept.json")
+    deep = []
+    for _ in range(15):
+        deep = [deep]
+    for how, said in (
+        ({"share": np.float32(0.5)}, "how holds what is no JSON: .*float32"),
+        ({"share": float("nan")}, "how holds what is no JSON"),
+        ({"deep": deep}, "how is nested more than 15 deep"),
+    ):
+        policy.how = how
+        with pytest.raises(ValueError, match=said):
+            policy.save(tmp_path / "kept.json")
+    assert mimo.Policy.load(tmp_path / "kept.json").how == {}
+    policy.how = deep[0]
+    policy.save(tmp_path / "kept.json")
+    said = subprocess.run([program(), "run", "--policy", str(tmp_path / "kept.json")], capture_output=True, text=True)
+    assert "nested" not in said.stderr
+    assert "the world has no field" in said.stderr  # the file itself is read
 
 
 def test_a_clock_is_read_after_the_fields():
@@ -160,7 +199,11 @@ const layout = { ...world, label: (name, i) => labels[i] };
 const action = new Float32Array(layout.actions.length);
 const all = [];
 if (!policy.fits({ layout })) throw new Error("it does not fit");
-for (const [time, observation] of [...rows, ...rows.slice(0, 2)]) {
+for (const [time, observation] of [...rows, ...rows.slice(0, 2), "anew", rows[8]]) {
+  if (time === "a") {
+    policy.fits({ layout });
+    continue;
+  }
   policy.act({ layout, observation, time: () => time }, action);
   all.push([...action]);
 }
@@ -195,7 +238,12 @@ def test_the_page_does_the_same(reaching):
     assert said.returncode == 0, said.stderr
     given = np.array(json.loads(said.stdout))
     assert np.abs(given[:60] - [row[2] for row in rows]).max() < 2e-6
-    assert np.array_equal(given[60:], given[:2])  # another episode
+    assert np.array_equal(given[60:62], given[:2])  # another episode
+    anew = mimo.Policy.load(path)
+    anew.attach(world)  # in the middle of a hold, as the page's last one
+    observation = {name: np.array(values) for name, values in rows[8][1].items()}
+    action = anew.act(observation, world.action_low, world.action_high, rows[8][0])
+    assert np.abs(given[62] - action).max() < 2e-6
 
 
 WRONG = [
@@ -206,7 +254,9 @@ WRONG = [
     ({"delays": 1}, "delays"),
     ({"hold_s": 0}, "hold_s"),
     ({"hold_s": "0.05"}, "hold_s"),
+    ({"hold_s": 1e30}, "expected seconds from 0.001 to 1e+06"),
     ({"clock_s": [0.5, -1]}, "clock_s"),
+    ({"clock_s": [0.5, 1e-310]}, "expected seconds from 0.001 to 1e+06"),
     ({"clock_s": [1.0] * 65}, "has 65 periods, expected at most 64"),
     ({"clock_s": [0.7]}, "mean"),
     ({"reflex": []}, "reflex"),
@@ -228,7 +278,7 @@ def test_all_readers_name_what_is_wrong(reaching, tmp_path, change, said):
     content.update(changed)
     file = tmp_path / "wrong.json"
     file.write_text(json.dumps(content))
-    with pytest.raises(ValueError, match=said) as refused:
+    with pytest.raises(ValueError, match=re.escape(said)) as refused:
         mimo.Policy.load(file)
     assert str(refused.value).startswith(f"policy {file}: ")
     by_program = subprocess.run([program(), "run", "--policy", str(file)], capture_output=True, text=True, timeout=60)

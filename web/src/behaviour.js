@@ -45,6 +45,12 @@ function monthsOf(age) {
   return age;
 }
 
+/** Shorter periods and longer holds are a mistake, and their quotients would end at infinity. */
+function seconds(name, value) {
+  if (!(typeof value === "number" && value >= 1e-3 && value <= 1e6)) refuse(`"${name}" is ${JSON.stringify(value)}, expected seconds from 0.001 to 1e+06`);
+  return value;
+}
+
 function reflexOf(told, actions) {
   if (told === undefined) return undefined;
   if (typeof told !== "object" || told === null || Array.isArray(told)) refuse(`"reflex" is ${JSON.stringify(told)}, expected an object`);
@@ -81,8 +87,8 @@ export class Policy {
     this.clip = positive("clip", content.clip ?? 10);
     this.fields = list("fields", content.fields);
     this.names = list("actions", content.actions);
-    this.holdSeconds = content.hold_s === undefined ? undefined : positive("hold_s", content.hold_s);
-    this.periods = list("clock_s", content.clock_s ?? []).map((period) => positive("clock_s", period));
+    this.holdSeconds = content.hold_s === undefined ? undefined : seconds("hold_s", content.hold_s);
+    this.periods = list("clock_s", content.clock_s ?? []).map((period) => seconds("clock_s", period));
     if (this.periods.length > MOST_PERIODS) refuse(`"clock_s" has ${this.periods.length} periods, expected at most ${MOST_PERIODS}`);
     this.reflex = reflexOf(content.reflex, this.names);
     let width = this.fields.reduce((sum, [, count]) => sum + count, 2 * this.periods.length);
@@ -97,7 +103,7 @@ export class Policy {
       return found;
     });
     if (this.layers.length === 0 || width !== this.names.length) refuse(`its last layer has ${width} rows, and it has ${this.names.length} actions`);
-    this.last = 0;
+    this.last = -1; // the step of the episode in which it acted last; -1: never
   }
 
   /** Whether it knows what a world's infant feels and does. If so, it can act in that world from now on. */
@@ -112,7 +118,7 @@ export class Policy {
       this.names.length === layout.actions.length &&
       layout.actions.every(({ name }, i) => name === this.names[i]) &&
       joints.every((joint) => joint >= 0);
-    if (fits) [this.hold, this.joints] = [Math.round(hold), joints];
+    if (fits) [this.hold, this.joints, this.last] = [Math.round(hold), joints, -1];
     return fits;
   }
 
@@ -129,7 +135,7 @@ export class Policy {
     const time = world.time();
     const step = Math.round(time / world.layout.stepSeconds);
     const sameHold = Math.floor(step / this.hold) === Math.floor(this.last / this.hold);
-    if (step % this.hold === 0 || !sameHold || step < this.last) this.#think(world, time);
+    if (this.last < 0 || step % this.hold === 0 || !sameHold || step < this.last) this.#think(world, time);
     this.last = step;
     const { out } = this.layers.at(-1);
     world.layout.actions.forEach(({ low, high }, i) => {

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._files import new_file
 from .arguments import meant
 
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 FORMAT, VERSIONS = "mimo-policy", (1, 2)
 CLIP = 10.0  # scaled observations go no further, by default
+MOST_NESTED = 15  # lists and objects in each other, of `how`
 MOST_PERIODS, LARGEST = 64, float(np.finfo(np.float32).max)
 NEW = ("age", "delays", "hold_s", "clock_s", "reflex")  # members of version 2
 NEEDED = ("fields", "actions", "mean", "deviation", "layers")
@@ -77,14 +79,15 @@ class Policy:
         self.scene, self.clip = scene, _positive("clip", clip)
         self.step_seconds = _positive("step_seconds", step_seconds, or_zero=True)
         self.age, self.delays = None if age is None else _months(age), _flag("delays", delays)
-        self.hold_s = None if hold_s is None else _positive("hold_s", hold_s)
-        self.clock_s = [_positive("clock_s", period) for period in _listed("clock_s", clock_s)]
+        self.hold_s = None if hold_s is None else _seconds("hold_s", hold_s)
+        self.clock_s = [_seconds("clock_s", period) for period in _listed("clock_s", clock_s)]
         self.what, self.how = what, {} if how is None else how
         self._check()
         self.reflex = None if reflex is None else self._checked(reflex)
         self._places: List[int] = []  # of the reflex's joints
         self._step = self.step_seconds
-        self._hold, self._last, self._given = 1, 0, self.layers[-1][1]
+        self._hold, self._given = 1, self.layers[-1][1]
+        self._last = -1  # the step of the episode in which it acted last; -1: never
         if self._step > 0:
             self._hold = self._steps_held()
 
@@ -196,8 +199,14 @@ class Policy:
             ],
         }
         told = {name: value for name, value in content.items() if value is not None}
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(json.dumps(told, indent=1) + "\n")
+        if _depth(self.how) > MOST_NESTED:
+            raise ValueError(f"how is nested more than {MOST_NESTED} deep, which no reader takes")
+        try:
+            text = json.dumps(told, indent=1, allow_nan=False) + "\n"
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"how holds what is no JSON: {error}") from None
+        with new_file(path) as file:
+            file.write_text(text, encoding="utf-8")
 
     def attach(self, world: "World") -> None:
         """Refuses a world whose observation, actions or step are others than those that it was learned with."""
@@ -214,7 +223,7 @@ class Policy:
                 )
         if list(world.action_names) != self.actions:
             raise ValueError(f"the world's actions are {list(world.action_names)}, the policy's {self.actions}")
-        self._step = step
+        self._step, self._last = step, -1
         self._hold = self._steps_held()
         if self.reflex:
             labels = list(_field(world, ANGLES).labels)
@@ -251,8 +260,13 @@ class Policy:
 
     def _held(self, observation: Mapping[str, ArrayLike], time: float) -> Numbers:
         """What the network gives, or gave."""
-        step = round(time / self._step) if self._step else 0
-        if step % self._hold == 0 or step // self._hold != self._last // self._hold or step < self._last:
+        step = math.floor(time / self._step + 0.5) if self._step else 0  # round() takes halves to even numbers
+        if (
+            self._last < 0
+            or step % self._hold == 0
+            or step // self._hold != self._last // self._hold
+            or step < self._last
+        ):
             self._given = self._thought(observation, time)
         self._last = step
         return self._given
@@ -337,6 +351,13 @@ def _listed(name: str, value: Any) -> Sequence[Any]:
     return values
 
 
+def _seconds(name: str, value: Any) -> float:
+    """Shorter periods and longer holds are a mistake, and their quotients would end at infinity."""
+    if not (_is_number(value) and 1e-3 <= value <= 1e6):
+        raise ValueError(f"{name} is {value!r}, expected seconds from 0.001 to 1e+06")
+    return float(value)
+
+
 def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float, np.number)) and not isinstance(value, bool)
 
@@ -367,6 +388,17 @@ def _finite(name: str, values: ArrayLike) -> Numbers:
     if not np.isfinite(array).all():
         raise ValueError(f"{name} holds what is no finite number")
     return array
+
+
+def _depth(value: Any) -> int:
+    """How many lists and objects lie in each other."""
+    depth, layer = 0, [value]
+    while layer := [one for one in layer if isinstance(one, (list, tuple, dict))]:
+        layer = [inner for one in layer for inner in (one.values() if isinstance(one, dict) else one)]
+        depth += 1
+        if depth > MOST_NESTED:
+            break
+    return depth
 
 
 def _packed(values: Numbers) -> str:
