@@ -94,6 +94,12 @@ def test_an_episode_is_as_long_as_the_configuration_says():
     assert not any(map(any, ends[:-1]))
 
 
+@pytest.mark.parametrize(("frame_skip", "steps"), [(1, 3000), (2, 1500), (4, 750)])
+def test_an_episode_lasts_as_long_with_other_steps(frame_skip, steps):
+    """15 s in physics steps of 5 ms: shorter ones could not hold for 10 s."""
+    assert babybench.load({"behavior": "sit", "frame_skip": frame_skip})["max_episode_steps"] == steps
+
+
 def test_switches_change_what_the_scene_says():
     env = made(behavior="follow", act_arms=True, act_eyes=False, lock_feet=True, frame_skip=1, **BLIND)
     motors = [env.model.actuator(number).name for number in range(env.model.nu)]

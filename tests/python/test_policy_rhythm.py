@@ -249,6 +249,26 @@ def test_the_page_does_the_same(reaching):
 WRONG = [
     ({"version": 3}, "its version is 3"),
     ({"holds_s": 0.05}, "holds_s"),
+    ({"what": 3}, "what"),
+    ({"scene": None}, "scene"),
+    ({"age": None}, "age"),
+    ({"hold_s": None}, "hold_s"),
+    ({"reflex": None}, "reflex"),
+    ({"step_seconds": None}, "step_seconds"),
+    ({"clip": None}, "clip"),
+    ({"clock_s": None}, "clock_s"),
+    ({"delays": None}, "delays"),
+    ({"actions": 5}, "actions"),
+    ({"actions": "abc"}, "actions"),
+    ({"actions": [1] * 8}, "actions"),
+    ({"fields": [["a", 47, 47]]}, "fields"),
+    ({"fields": [["a", True]]}, "a"),
+    ({"fields": [["a", 5000]]}, "4096"),
+    ({"layers": [5]}, "layers"),
+    ({"layers": [{"rows": True, "weights": "", "bias": ""}]}, "rows"),
+    ({"layers": [{"rows": "4", "weights": "", "bias": ""}]}, "rows"),
+    ({"mean": ["AAAAAA=="]}, "mean"),
+    ({"mean": "!"}, "mean"),
     ({"version": 1}, "needs version 2, and its version is 1"),
     ({"age": 25}, "age"),
     ({"delays": 1}, "delays"),
@@ -287,6 +307,14 @@ def test_all_readers_name_what_is_wrong(reaching, tmp_path, change, said):
     assert by_program.stderr.count("\n") == 1
     if shutil.which("node"):
         assert said in in_node(content).stderr
+
+
+@pytest.mark.parametrize(("text", "said"), [("reach!", "no JSON object"), ("[" * 100_000, "nested"), ("[]", "no JSON")])
+def test_python_names_a_file_that_holds_no_policy(tmp_path, text, said):
+    file = tmp_path / "policy.json"
+    file.write_text(text)
+    with pytest.raises(ValueError, match=f"policy {re.escape(str(file))}: .*{said}"):
+        mimo.Policy.load(file)
 
 
 def test_the_program_names_what_does_not_fit_the_world(reaching, tmp_path):

@@ -158,6 +158,8 @@ def test_policies_act_in_their_scenes_at_their_age(scene, age):
             }"""
         )
         assert reached == 1  # ten seconds; at rest it falls within one
+        shown.select_option("#scenes", "reach")  # whose policy says no age
+        assert shown.input_value("#age") == "18"
         shown.select_option("#scenes", "walk")  # nobody has learned there
         assert shown.input_value("#behaviour") == "babble"
         assert shown.is_disabled("#behaviour option[value=learned]")

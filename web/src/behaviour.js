@@ -5,6 +5,7 @@ const NEW = ["age", "delays", "hold_s", "clock_s", "reflex"]; // members of vers
 const MEMBERS = ["format", "version", "what", "scene", "step_seconds", "fields", "actions", "mean", "deviation", "clip", "layers", "how", ...NEW];
 const REFLEX = ["stiffness", "damping", "joints", "start"];
 const MOST_PERIODS = 64;
+const MOST_ROWS = 4096; // of a layer, and numbers of a field
 const [ANGLES, VELOCITIES] = ["proprioception/position", "proprioception/velocity"]; // what a reflex feels
 
 function refuse(why) {
@@ -66,10 +67,50 @@ function reflexOf(told, actions) {
   return told;
 }
 
+function textIn(content, name) {
+  const text = content[name] ?? "";
+  if (content.version > 1 && (content[name] === null || typeof text !== "string")) refuse(`"${name}" is ${JSON.stringify(content[name])}, expected text`);
+  return typeof text === "string" ? text : "";
+}
+
+function size(name, value) {
+  if (!(Number.isInteger(value) && value >= 1 && value <= MOST_ROWS)) refuse(`${name} is ${JSON.stringify(value)}, expected 1 to ${MOST_ROWS}`);
+  return value;
+}
+
+/** A member, or what stands for a missing one. */
+function memberOr(content, name, otherwise) {
+  return name in content ? content[name] : otherwise;
+}
+
+function fieldsIn(content) {
+  const fields = list("fields", content.fields);
+  if (content.version === 1 && fields.length === 0) refuse('it has no list "fields"');
+  for (const field of fields) {
+    if (!Array.isArray(field) || field.length !== 2 || typeof field[0] !== "string") refuse('"fields" is no list of names and counts');
+    size("a field's count", field[1]);
+  }
+  return fields;
+}
+
+function namesIn(content) {
+  const names = list("actions", content.actions);
+  if (!names.every((name) => typeof name === "string")) refuse('"actions" is no list of names');
+  return names;
+}
+
+function bytesOf(text) {
+  try {
+    return Uint8Array.from(typeof text === "string" ? atob(text) : "", (one) => one.charCodeAt(0));
+  } catch {
+    return new Uint8Array(0);
+  }
+}
+
 /** So many numbers of single precision in base 64. */
 function numbers(name, text, count) {
-  const bytes = Uint8Array.from(atob(text), (one) => one.charCodeAt(0));
-  if (bytes.length !== 4 * count) refuse(`"${name}" holds ${bytes.length} bytes of base 64, expected ${4 * count}: ${count} numbers`);
+  const bytes = bytesOf(text);
+  if (typeof text !== "string" || bytes.length !== 4 * count) refuse(`"${name}" holds ${bytes.length} bytes of base 64, expected ${4 * count}: ${count} numbers`);
   const values = new Float32Array(bytes.buffer);
   if (!values.every(Number.isFinite)) refuse(`"${name}" holds what is no finite number`);
   return values;
@@ -79,16 +120,17 @@ function numbers(name, text, count) {
 export class Policy {
   constructor(content) {
     checkMembers(content);
-    this.scene = content.scene ?? "";
+    textIn(content, "what");
+    this.scene = textIn(content, "scene");
     this.age = monthsOf(content.age);
-    this.delays = content.delays ?? false;
+    this.delays = memberOr(content, "delays", false);
     if (typeof this.delays !== "boolean") refuse(`"delays" is ${JSON.stringify(content.delays)}, expected true or false`);
-    this.stepSeconds = positive("step_seconds", content.step_seconds ?? 0, 0);
-    this.clip = positive("clip", content.clip ?? 10);
-    this.fields = list("fields", content.fields);
-    this.names = list("actions", content.actions);
+    this.stepSeconds = positive("step_seconds", memberOr(content, "step_seconds", 0), 0);
+    this.clip = positive("clip", memberOr(content, "clip", 10));
+    this.fields = fieldsIn(content);
+    this.names = namesIn(content);
     this.holdSeconds = content.hold_s === undefined ? undefined : seconds("hold_s", content.hold_s);
-    this.periods = list("clock_s", content.clock_s ?? []).map((period) => seconds("clock_s", period));
+    this.periods = list("clock_s", memberOr(content, "clock_s", [])).map((period) => seconds("clock_s", period));
     if (this.periods.length > MOST_PERIODS) refuse(`"clock_s" has ${this.periods.length} periods, expected at most ${MOST_PERIODS}`);
     this.reflex = reflexOf(content.reflex, this.names);
     let width = this.fields.reduce((sum, [, count]) => sum + count, 2 * this.periods.length);
@@ -96,8 +138,10 @@ export class Policy {
     if (!this.deviation.every((one) => one > 0)) refuse('"deviation" holds a number that is not above 0');
     this.seen = new Float32Array(width);
     this.layers = list("layers", content.layers).map((layer) => {
+      if (typeof layer !== "object" || layer === null || Array.isArray(layer)) refuse('"layers" is no list of layers');
       if (content.version > 1) refuseUnknown("a layer", layer, ["rows", "weights", "bias"]);
       const { rows, weights, bias } = layer;
+      size('"rows" of a layer', rows);
       const found = { rows, weights: numbers("weights", weights, rows * width), bias: numbers("bias", bias, rows), out: new Float32Array(rows) };
       width = rows;
       return found;

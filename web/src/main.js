@@ -24,7 +24,8 @@ class Page extends Shown {
     this.#fill(page.faces, mimo.faces(), "neutral");
     page.scenes.onchange = () => {
       page.tasks.value = "the scene's";
-      page.age.value = this.#learnedIn(page.scenes.value)?.age ?? page.age.value;
+      const policy = this.#learnedIn(page.scenes.value);
+      if (policy) page.age.value = policy.age ?? 18;
       this.make();
     };
     page.tasks.onchange = () => this.make();

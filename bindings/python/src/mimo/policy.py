@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 FORMAT, VERSIONS = "mimo-policy", (1, 2)
 CLIP = 10.0  # scaled observations go no further, by default
+MOST_ROWS = 4096  # of a layer, and numbers of a field
 MOST_NESTED = 15  # lists and objects in each other, of `how`
 MOST_PERIODS, LARGEST = 64, float(np.finfo(np.float32).max)
 NEW = ("age", "delays", "hold_s", "clock_s", "reflex")  # members of version 2
@@ -73,7 +74,7 @@ class Policy:
         how: Any = None,
     ) -> None:
         self.fields = [(str(name), int(count)) for name, count in fields]
-        self.actions = [str(name) for name in actions]
+        self.actions = [str(name) for name in _listed("actions", actions)]
         self.layers: List[Layer] = [(_finite("weights", w), _finite("bias", b)) for w, b in layers]
         self.mean, self.deviation = _finite("mean", mean), _finite("deviation", deviation)
         self.scene, self.clip = scene, _positive("clip", clip)
@@ -168,10 +169,13 @@ class Policy:
     @classmethod
     def load(cls, path: "Union[str, os.PathLike[str]]") -> "Policy":
         """From a file."""
-        with open(path, encoding="utf-8") as file:
-            content = json.load(file)
         try:
-            return cls(**_arguments(content))
+            with open(path, encoding="utf-8") as file:
+                return cls(**_arguments(json.load(file)))
+        except RecursionError:
+            raise ValueError(f"policy {os.fspath(path)}: its values are nested too deeply") from None
+        except json.JSONDecodeError as error:
+            raise ValueError(f"policy {os.fspath(path)}: this is no JSON object: {error}") from None
         except ValueError as error:
             raise ValueError(f"policy {os.fspath(path)}: {error}") from None
 
@@ -310,13 +314,21 @@ def _arguments(content: Any) -> Dict[str, Any]:
                 raise ValueError(f"{name} needs version 2, and its version is 1")
     else:
         _refuse_unknown("a policy", content, MEMBERS)
-        for name in ("what", "scene"):
-            if not isinstance(content.get(name, ""), str):
-                raise ValueError(f"{name} is {content[name]!r}, expected text")
+    told = {name: content[name] for name in MEMBERS[2:] if name in content}
+    for name in ("what", "scene"):
+        if not isinstance(told.get(name, ""), str):
+            if version > 1:
+                raise ValueError(f"{name} is {told[name]!r}, expected text")
+            del told[name]
     for name in NEEDED:
         if name not in content:
             raise ValueError(f"it has no {name}")
-    told = {name: content[name] for name in MEMBERS[2:] if name in content}
+    for name, value in told.items():
+        if value is None and name != "how":
+            raise ValueError(f"{name} is null, expected a value, or nothing of that name")
+    for name in _listed("actions", content["actions"]):
+        if not isinstance(name, str):
+            raise ValueError(f"actions holds {name!r}, expected names")
     told["fields"] = [_pair(field) for field in _listed("fields", content["fields"])]
     if version == 1 and not told["fields"]:
         raise ValueError("fields is [], expected names and counts")
@@ -328,9 +340,13 @@ def _arguments(content: Any) -> Dict[str, Any]:
 def _pair(field: Any) -> Tuple[str, int]:
     if isinstance(field, list) and len(field) == 2:
         name, count = field
-        if isinstance(name, str) and isinstance(count, int) and count > 0:
+        if isinstance(name, str) and _is_size(count):
             return name, count
-    raise ValueError(f"fields holds {field!r}, expected a name and a count of 1 or more")
+    raise ValueError(f"fields holds {field!r:.60}, expected a name and a count from 1 to {MOST_ROWS}")
+
+
+def _is_size(value: Any) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and 1 <= value <= MOST_ROWS
 
 
 def _layer(layer: Any, version: int) -> Layer:
@@ -339,8 +355,9 @@ def _layer(layer: Any, version: int) -> Layer:
     if version > 1:
         _refuse_unknown("a layer", layer, LAYER)
     rows, weights, bias = layer["rows"], _unpacked("weights", layer["weights"]), _unpacked("bias", layer["bias"])
-    if not isinstance(rows, int) or rows < 1 or len(weights) % rows:
-        raise ValueError(f"rows of a layer is {rows!r}, and it has {len(weights)} weights; expected a divisor of them")
+    if not _is_size(rows) or len(weights) % rows:
+        expected = f"expected 1 to {MOST_ROWS}, a divisor of its {len(weights)} weights"
+        raise ValueError(f"rows of a layer is {rows!r}, {expected}")
     return weights.reshape(rows, len(weights) // rows), bias
 
 

@@ -53,10 +53,11 @@ def load(config: Given) -> Config:
     given = config if isinstance(config, Mapping) else _read(config)
     _tell_others(given)
     behavior = given.get("behavior", COUNTED[0])
-    own = {} if isinstance(behavior, str) and behavior in COUNTED else _own(behavior, given)
+    counted = isinstance(behavior, str) and behavior in COUNTED
     for name, value in given.items():
-        if not (own and name in ("behavior", "scene")):
+        if counted or name not in ("behavior", "scene"):
             _check(name, value)
+    own = {} if counted else _own(behavior, given)
     return Checked({**DEFAULTS, **own, **given, **({"behavior": own["scene"]} if own else {})})
 
 
@@ -67,7 +68,7 @@ def is_described(config: Mapping[str, Any]) -> bool:
 
 def _own(behavior: Any, given: Mapping[str, Any]) -> Config:
     """The default values of a behaviour that a scene describes."""
-    standard = Described(behavior).standard()
+    standard = Described(behavior).standard(given.get("frame_skip"))
     scene = given.get("scene", standard["scene"])
     if str(scene) != standard["scene"]:
         raise ValueError(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import xml.etree.ElementTree as ElementTree
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional
 
 from ..arguments import meant
 from ..behaviour import Behaviour
@@ -47,10 +47,10 @@ class Described:
         """Whether a motor acts where its group does: as in the scene, or all of a group that rests there."""
         return motor in self.motors or group_of(motor) not in self.moved
 
-    def standard(self) -> Dict[str, Any]:
-        """Values of a configuration's keys as the scene has them."""
+    def standard(self, frame_skip: Optional[int] = None) -> Dict[str, Any]:
+        """Values of a configuration's keys as the scene has them, in steps of so many physics steps, or its own."""
         skip = self.root.find("custom/numeric[@name='mimo:frame_skip']")
-        frames = 1 if skip is None else int(float(skip.get("data", "1")))
+        frames = frame_skip or (1 if skip is None else int(float(skip.get("data", "1"))))
         steps = [float(option.get("timestep", "")) for option in self.root.findall("option[@timestep]")] or [0.002]
         return {
             "scene": self.name,
