@@ -61,7 +61,7 @@ Thread::Thread(Run run, void* argument) {
   fail(Status::kOutOfMemory, "the system cannot start a thread: {}", std::generic_category().message(error));
 }
 
-Pool::Pool(std::size_t threads) : threads_(threads) {
+Pool::Pool(std::size_t threads) : threads_(threads), shares_(threads) {
   workers_.reserve(threads);
   try {
     while (workers_.size() + 1 < threads) add_worker();
@@ -107,8 +107,10 @@ void Pool::open(Job& job, std::size_t count, std::size_t helpers) {
   {
     const std::lock_guard lock(mutex_);
     job_ = &job;
-    count_ = count;
-    next_.store(0, std::memory_order_relaxed);
+    for (std::size_t i = 0; i < threads_; ++i) {
+      shares_[i].next.store(i * count / threads_, std::memory_order_relaxed);
+      shares_[i].end = (i + 1) * count / threads_;
+    }
     helpers = std::min(helpers, count);
     for (std::size_t i = 0; i < helpers; ++i) workers_[i]->invited = true;
   }
@@ -124,13 +126,15 @@ void Pool::close() {
   for (const auto& worker : workers_) worker->invited = false;
 }
 
-bool Pool::done() const { return inside_ == 0 && next_.load(std::memory_order_relaxed) >= count_; }
+bool Pool::done() const {
+  const auto taken = [](const Share& share) { return share.empty(); };
+  return inside_ == 0 && std::all_of(shares_.begin(), shares_.end(), taken);
+}
 
 void Pool::work(std::size_t thread) {
-  for (;;) {
-    const std::size_t item = next_.fetch_add(1, std::memory_order_relaxed);
-    if (item >= count_) return;
-    job_->run(item, thread);
+  for (std::size_t i = 0; i < threads_; ++i) {
+    Share& share = shares_[(thread + i) % threads_];
+    for (std::size_t item = 0; share.take(item);) job_->run(item, thread);
   }
 }
 

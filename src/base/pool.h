@@ -73,6 +73,17 @@ class Pool {
     std::optional<Thread> thread;
   };
 
+  // Items that a thread takes before all others: mostly the same in each job, so that its core has in the cache what
+  // they need. Who has no more takes those of others, one at a time.
+  struct alignas(64) Share {
+    std::atomic<std::size_t> next{0};
+    std::size_t end = 0;
+
+    bool empty() const { return next.load(std::memory_order_relaxed) >= end; }
+    // Whether there was one.
+    bool take(std::size_t& item) { return !empty() && (item = next.fetch_add(1, std::memory_order_relaxed)) < end; }
+  };
+
   void add_worker();
   void stop() noexcept;
   void open(Job& job, std::size_t count, std::size_t helpers);
@@ -88,8 +99,7 @@ class Pool {
   std::atomic<bool> stopping_{false};
   std::atomic<std::size_t> inside_{0};  // workers that are working
   Job* job_ = nullptr;
-  std::size_t count_ = 0;
-  std::atomic<std::size_t> next_{0};  // the first item that no thread has taken
+  std::vector<Share> shares_;  // by threads
 };
 
 }  // namespace mimo
