@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <thread>
 
@@ -59,6 +60,36 @@ TEST(Pool, WorksWhileTheCallerDoesSomethingElse) {
     pool.start(job, 5);
     job.returned = true;
     pool.wait();
+  }
+}
+
+// The first item that a thread takes is not done before all other items are.
+class OneWaitsForTheOthers : public Job {
+ public:
+  explicit OneWaitsForTheOthers(int items) : missing(items) {}
+  void run(std::size_t item, std::size_t) noexcept override {
+    if (item != 0) {
+      --missing;
+      return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    while (missing > 1 && std::chrono::steady_clock::now() - start < std::chrono::seconds(20))
+      std::this_thread::yield();
+    waited_for_all = missing == 1;
+  }
+  std::atomic<int> missing;
+  bool waited_for_all = false;
+};
+
+TEST(Pool, OthersDoTheShareOfAThreadThatIsHeldUp) {
+  for (std::size_t threads : {2, 5}) {
+    OneWaitsForTheOthers now(20), later(20);
+    Pool pool(threads);
+    pool.run(now, 20);
+    EXPECT_TRUE(now.waited_for_all);
+    pool.start(later, 20);
+    pool.wait();
+    EXPECT_TRUE(later.waited_for_all);
   }
 }
 
