@@ -119,7 +119,9 @@ void ColorTile(const Frame& frame, Tile& tile, std::uint32_t* out) {
     hn::Store(id, DI(), shown + i);
     empty = empty || !hn::AllFalse(DI(), hn::Lt(id, hn::Zero(DI())));
     if (hn::AllTrue(DI(), hn::Eq(id, SetI(last)))) continue;
-    for (int lane = 0; lane < lanes; ++lane) parts.add(last = shown[i + lane]);
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (shown[i + lane] != last) parts.add(last = shown[i + lane]);
+    }
   }
 
   Normals normals;

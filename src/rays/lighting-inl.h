@@ -151,11 +151,12 @@ HWY_INLINE bool Shine(const Light& light, const LocalLight& place, const Materia
   const V along_light = Along<kKind>(at.n, to_light);
   beam.facing = hn::Max(along_light, Zero());
   beam.glint = Zero();
-  if (material.specular > 0 && light.bright) {
+  const M faces = hn::Gt(beam.facing, Zero());
+  if (material.specular > 0 && light.bright && !None(faces)) {
     // Between the normal and the vector half-way between light and eye, whose square is 2 + 2 light . eye.
     const V square = Set(2.0F) + Dot(to_light, at.to_eye) * Set(2.0F);
     const V cosine = hn::Max(along_light + at.along_eye, Zero()) * Rsqrt(hn::Max(square, Set(1e-6F)));
-    beam.glint = hn::IfThenElseZero(hn::Gt(beam.facing, Zero()), Pow(material.shininess, hn::Min(cosine, one)));
+    beam.glint = hn::IfThenElseZero(faces, Pow(material.shininess, hn::Min(cosine, one)));
     beam.glint = beam.glint * Set(material.specular);
   }
   return true;

@@ -297,10 +297,11 @@ struct Strip {
   int index;  // of the plane's aspect, -1 for none
   bool is_smooth;
   Smooth smooth;
+  int rough_place, rough_index;  // of the tile and the plane that were found not to be smooth last
 
   void start(const Patch& next) {
     patch = next;
-    index = -1;
+    index = rough_place = rough_index = -1;
   }
 };
 
@@ -316,9 +317,14 @@ inline const Smooth* SmoothAcross(const Subject& subject, Smooth& own) {
     strip.smooth.first = strip.smooth.x + subject.tile->place;
     return &strip.smooth;
   }
-  if (strip.patch.width == kTile) return nullptr;
+  const int place = subject.tile->place;
+  const bool rough = strip.rough_place == place && strip.rough_index == subject.index;
+  if (strip.patch.width == kTile || rough) return nullptr;
   own.first = own.x;
-  return Smoothen(subject, {subject.tile->x[0], subject.tile->y[0], kTile}, own) ? &own : nullptr;
+  if (Smoothen(subject, {subject.tile->x[0], subject.tile->y[0], kTile}, own)) return &own;
+  strip.rough_place = place;
+  strip.rough_index = subject.index;
+  return nullptr;
 }
 
 }  // namespace HWY_NAMESPACE
