@@ -133,7 +133,7 @@ double visit(const mjData& data, const Blocks& blocks, const double* violation, 
 
 MIMO_ALSO_FOR_AVX2
 Blocks gather_blocks(mjData& data) {
-  if (data.nefc == 0) return {0, nullptr};
+  if (data.nefc == 0) return {0, nullptr, 0};
   const int last = data.nefc - 1;
   const int entries = data.efc_J_rowadr[last] + data.efc_J_rownnz[last];
   Block* blocks = take<Block>(data, data.nefc);
@@ -157,12 +157,15 @@ Blocks gather_blocks(mjData& data) {
     values += block.rows * block.width;
     row += block.rows;
   }
-  return {count, blocks};
+  int singles = 0;
+  while (singles < count && blocks[singles].rows == 1 && blocks[singles].width == 1) ++singles;
+  return {count, blocks, singles};
 }
 
 MIMO_ALSO_FOR_AVX2
 void multiply(const Blocks& blocks, const double* vector, double* product) {
-  for (int i = 0; i < blocks.count; ++i) {
+  for (int i = 0; i < blocks.singles; ++i) product[i] = 0.0 + blocks.all->values[i] * vector[blocks.all->columns[i]];
+  for (int i = blocks.singles; i < blocks.count; ++i) {
     const Block& block = blocks.all[i];
     switch (block.rows) {
       case 1: multiply_block<1>(block, vector, product); break;
@@ -176,7 +179,8 @@ void multiply(const Blocks& blocks, const double* vector, double* product) {
 MIMO_ALSO_FOR_AVX2
 void multiply_transposed(const Blocks& blocks, const double* vector, int size, double* product) {
   std::fill_n(product, size, 0.0);
-  for (int i = 0; i < blocks.count; ++i) {
+  for (int i = 0; i < blocks.singles; ++i) product[blocks.all->columns[i]] += 0.0 + blocks.all->values[i] * vector[i];
+  for (int i = blocks.singles; i < blocks.count; ++i) {
     const Block& block = blocks.all[i];
     if (is_zero(vector + block.row, block.rows)) continue;
     switch (block.rows) {

@@ -61,6 +61,7 @@ struct Block {
 struct Blocks {
   int count;
   const Block* all;
+  int singles;  // so many at the beginning are a row of one column each; their columns and values lie side by side
 };
 
 Blocks gather_blocks(mjData& data);

@@ -165,6 +165,14 @@ Two two_at(const double* numbers) {
   return two;
 }
 
+// Room that begins with a line of the processor's cache, so that no lanes lie across two.
+double* take_lines(mjData& data, int count) {
+  constexpr std::uintptr_t kLine = 64;
+  constexpr int kNumbers = kLine / sizeof(double);
+  const auto room = reinterpret_cast<std::uintptr_t>(take<double>(data, count + kNumbers - 1));
+  return reinterpret_cast<double*>((room + kLine - 1) / kLine * kLine);
+}
+
 int whole_lanes(int count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
 // sums[0 .. count) += factor * numbers, in whole lanes: both have room for them.
@@ -419,7 +427,7 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   const int entries = place_rows(size, marks, starts, ends);
   int* columns = take<int>(data, entries);
   list_columns(size, marks, starts, columns);
-  double* inertia = take<double>(data, entries);
+  double* inertia = take_lines(data, entries);
   bool* quiet = take<bool>(data, size);
   const int room = (kMostRows + 1) * (size + kLanes);
   Hessian hessian{};
@@ -430,9 +438,9 @@ Hessian make_hessian(const mjModel& model, mjData& data, const Blocks& blocks) {
   hessian.columns = columns;
   hessian.inertia = inertia;
   hessian.quiet = quiet;
-  hessian.values = take<double>(data, entries);
-  hessian.scratch = take<double>(data, room);
-  hessian.halfway = take<double>(data, entries);
+  hessian.values = take_lines(data, entries);
+  hessian.scratch = take_lines(data, room);
+  hessian.halfway = take_lines(data, entries);
   hessian.singles = take<Single>(data, blocks.count);
   hessian.loud = take<int>(data, blocks.count);
   write_inertia(model, data, hessian, inertia);
