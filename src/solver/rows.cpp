@@ -26,8 +26,15 @@ bool has_rubbing_tendons(const mjModel& model) {
                      [](double loss) { return loss > 0; });
 }
 
+// Their moments are made of the transposed Jacobian.
+bool has_adhesion(const mjModel& model) {
+  return std::any_of(model.actuator_trntype, model.actuator_trntype + model.nu,
+                     [](int kind) { return kind == mjTRN_BODY; });
+}
+
 bool is_usual(const mjModel& model) {
-  return model.opt.cone == mjCONE_ELLIPTIC && !has_rubbing_tendons(model) && !has_equalities(model);
+  return model.opt.cone == mjCONE_ELLIPTIC && !has_rubbing_tendons(model) && !has_adhesion(model) &&
+         !has_equalities(model);
 }
 
 // Rows with the same columns, which `columns` of the first one hold already. False where there is no room.
@@ -201,6 +208,8 @@ bool add_contacts(const mjModel& model, mjData& data) {
   for (int i = 0; i < data.ncon && room; ++i) {
     mjContact& contact = data.contact[i];
     if (contact.exclude != 0) continue;
+    room = data.nefc + contact.dim <= model.njmax;  // also for one that moves nothing, as in MuJoCo
+    if (!room) break;
     merge(model, model.geom_bodyid[contact.geom1], model.geom_bodyid[contact.geom2], chain);
     if (chain.count == 0) {
       contact.efc_address = -1;
@@ -209,8 +218,7 @@ bool add_contacts(const mjModel& model, mjData& data) {
     }
     const int first = data.nefc;
     const mjtConstraint type = contact.dim == 1 ? mjCNSTR_CONTACT_FRICTIONLESS : mjCNSTR_CONTACT_ELLIPTIC;
-    room = add_rows(model, data, contact.dim, chain.count, type, i);
-    if (!room) break;
+    add_rows(model, data, contact.dim, chain.count, type, i);
     contact.efc_address = first;
     data.efc_pos[first] = contact.dist;
     data.efc_margin[first] = contact.includemargin;

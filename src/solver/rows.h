@@ -6,9 +6,9 @@
 
 namespace mimo::solver {
 
-// mj_makeConstraint, with the same numbers to the bit, but without what only MuJoCo's own solvers read: the transposed
-// Jacobian and the rows of equal pattern. MuJoCo itself makes rows where equalities, tendons or pyramidal cones are
-// among them, or where there is no room for all.
+// mj_makeConstraint, with the same numbers to the bit, but without the transposed Jacobian and the rows of equal
+// pattern, which MuJoCo's own solvers and adhesion read. MuJoCo itself makes the rows of models with adhesion, with
+// equalities that hold, friction of tendons or pyramidal cones, and where there is no room for all.
 void make_constraints(const mjModel& model, mjData& data);
 
 }  // namespace mimo::solver
