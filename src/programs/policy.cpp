@@ -20,7 +20,7 @@ std::size_t elements(const mimo_field& field) {
 
 mimo_field field_of(const std::string& file, const std::vector<mimo_field>& all, const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const mimo_field& one) { return name == one.name; });
-  if (found == all.end()) refuse_policy(file, text("the world has no field \"%s\"", name.c_str()));
+  if (found == all.end()) refuse_policy(file, text("the world has no field \"%.100s\"", name.c_str()));
   if (found->dtype != MIMO_F32) refuse_policy(file, text("field \"%s\" holds no 32-bit numbers", name.c_str()));
   return *found;
 }
@@ -131,6 +131,9 @@ void Policy::think(const mimo::Block& block, double time) {
       for (float& one : out) one = std::tanh(one);
     }
     in = &out;
+  }
+  if (!std::all_of(in->begin(), in->end(), [](float one) { return std::isfinite(one); })) {
+    refuse_policy(name_, "its network gives what is no finite number");
   }
   if (file_.reflex) return;
   for (std::size_t i = 0; i < commands_.size(); ++i) {

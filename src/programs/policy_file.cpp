@@ -41,12 +41,20 @@ std::string joined(const Names& names) {
   return all;
 }
 
+// A value for a message, which is one line of a terminal.
+std::string said(const Json& value) {
+  constexpr std::size_t kLongest = 60;
+  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (text.size() > kLongest) text.replace(kLongest, std::string::npos, "...");
+  return text;
+}
+
 void refuse_unknown(const std::string& file, const Json& content, const Names& known, const char* owner) {
   for (const auto& [name, value] : content.items()) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string meant = mimo::nearest(name, known);
     refuse_policy(file,
-                  text("%s has no member \"%s\"%s; expected %s", owner, name.c_str(),
+                  text("%s has no member \"%.60s\"%s; expected %s", owner, name.c_str(),
                        meant.empty() ? "" : (", did you mean \"" + meant + "\"?").c_str(), joined(known).c_str()));
   }
 }
@@ -58,12 +66,12 @@ void check_members(const std::string& file, const Json& content) {
     refuse_unknown(file, content, members(), "a policy");
     for (const char* name : {"what", "scene"}) {
       const Json value = content.value(name, Json(""));
-      if (!value.is_string()) refuse_policy(file, text("\"%s\" is %s, expected text", name, value.dump().c_str()));
+      if (!value.is_string()) refuse_policy(file, text("\"%s\" is %s, expected text", name, said(value).c_str()));
     }
     return;
   }
   if (version != 1) {
-    refuse_policy(file, text("its version is %s, and this program reads versions 1 and 2", version.dump().c_str()));
+    refuse_policy(file, text("its version is %s, and this program reads versions 1 and 2", said(version).c_str()));
   }
   for (const std::string& name : members_of_version_2()) {
     if (content.contains(name)) refuse_policy(file, text("\"%s\" needs version 2, and its version is 1", name.c_str()));
@@ -140,7 +148,7 @@ std::vector<float> turned(const std::vector<float>& matrix, std::size_t rows, st
 std::size_t size_in(const std::string& file, const Json& value, const char* what) {
   const std::uint64_t count = value.is_number_unsigned() ? value.get<std::uint64_t>() : 0;
   if (count < 1 || count > kMostRows)
-    refuse_policy(file, text("%s is %s, expected 1 to %zu", what, value.dump().c_str(), kMostRows));
+    refuse_policy(file, text("%s is %s, expected 1 to %zu", what, said(value).c_str(), kMostRows));
   return static_cast<std::size_t>(count);
 }
 
@@ -160,8 +168,8 @@ bool is_single(const Json& value) {
 double positive(const std::string& file, const Json& value, const char* name, bool or_zero = false) {
   const double number = is_single(value) ? value.get<double>() : -1;
   if (!(number > 0 || (or_zero && number == 0))) {
-    refuse_policy(file, text("\"%s\" is %s, expected a number %s", name, value.dump().c_str(),
-                             or_zero ? "from 0 on" : "above 0"));
+    refuse_policy(
+        file, text("\"%s\" is %s, expected a number %s", name, said(value).c_str(), or_zero ? "from 0 on" : "above 0"));
   }
   return number;
 }
@@ -171,8 +179,7 @@ double seconds(const std::string& file, const Json& value, const char* name) {
   constexpr double kLeast = 1e-3, kMost = 1e6;
   const double number = value.is_number() ? value.get<double>() : 0;
   if (!(number >= kLeast && number <= kMost)) {
-    refuse_policy(file,
-                  text("\"%s\" is %s, expected seconds from %g to %g", name, value.dump().c_str(), kLeast, kMost));
+    refuse_policy(file, text("\"%s\" is %s, expected seconds from %g to %g", name, said(value).c_str(), kLeast, kMost));
   }
   return number;
 }
@@ -196,15 +203,14 @@ std::optional<double> age(const std::string& file, const Json& content) {
   const Json& value = content["age"];
   const double months = value.is_number() ? value.get<double>() : -1;
   if (!(months >= 0 && months <= 24)) {
-    refuse_policy(file, text("\"age\" is %s, expected months from 0 to 24", value.dump().c_str()));
+    refuse_policy(file, text("\"age\" is %s, expected months from 0 to 24", said(value).c_str()));
   }
   return months;
 }
 
 bool flag(const std::string& file, const Json& content, const char* name) {
   const Json value = content.value(name, Json(false));
-  if (!value.is_boolean())
-    refuse_policy(file, text("\"%s\" is %s, expected true or false", name, value.dump().c_str()));
+  if (!value.is_boolean()) refuse_policy(file, text("\"%s\" is %s, expected true or false", name, said(value).c_str()));
   return value.get<bool>();
 }
 
@@ -234,7 +240,7 @@ std::vector<PolicyFile::Field> fields(const std::string& file, const Json& conte
 std::optional<PolicyFile::Reflex> reflex(const std::string& file, const Json& content, std::size_t actions) {
   const auto found = content.find("reflex");
   if (found == content.end()) return std::nullopt;
-  if (!found->is_object()) refuse_policy(file, text("\"reflex\" is %s, expected an object", found->dump().c_str()));
+  if (!found->is_object()) refuse_policy(file, text("\"reflex\" is %s, expected an object", said(*found).c_str()));
   refuse_unknown(file, *found, {"stiffness", "damping", "joints", "start"}, "\"reflex\"");
   PolicyFile::Reflex reflex;
   reflex.stiffness = static_cast<float>(positive(file, found->value("stiffness", Json()), "stiffness"));
@@ -242,7 +248,7 @@ std::optional<PolicyFile::Reflex> reflex(const std::string& file, const Json& co
   reflex.joints = names(file, *found, "joints");
   for (const Json& angle : list_in(file, *found, "start")) {
     if (!is_single(angle)) {
-      refuse_policy(file, text("\"start\" holds %s, expected a finite number", angle.dump().c_str()));
+      refuse_policy(file, text("\"start\" holds %s, expected a finite number", said(angle).c_str()));
     }
     reflex.start.push_back(angle.get<float>());
   }

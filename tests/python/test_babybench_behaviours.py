@@ -162,6 +162,21 @@ def test_training_and_evaluation_are_logged(tmp_path, capsys):
     assert told.stdout.splitlines()[1].startswith("evaluation: sit, 1 episodes; reached in 0.0000")
 
 
+def test_closing_twice_is_allowed(tmp_path):
+    for behavior in ("sit", "self_touch", "none"):
+        env = babybench.make({"behavior": behavior, "save_dir": str(tmp_path / behavior), **BLIND})
+        acted(env, 2)
+        env.close()
+        env.unwrapped.close()
+        assert [entry["steps"] for entry in logged(tmp_path / behavior)] == [0, 2]
+
+
+def test_documents_of_ones_own_are_evaluated():
+    assert babybench.EVALS["rooms/crouch.xml"] is babybench.Evaluation
+    with pytest.raises(KeyError):
+        babybench.EVALS["croutch"]
+
+
 def entry(steps, held, reached=False, hold=10.0):
     return {"steps": steps, "behavior": "sit", "held_seconds": held, "hold_seconds": hold, "reached": reached}
 
@@ -178,9 +193,9 @@ def test_scores():
 @pytest.mark.parametrize(
     ("change", "line"),
     [
-        ({"held_seconds": -1}, "held_seconds of episode 0 is -1, expected a count"),
-        ({"hold_seconds": "ten"}, "hold_seconds of episode 0 is 'ten', expected a count"),
-        ({"reached": None}, "reached of episode 0 is None, expected a count"),
+        ({"held_seconds": -1}, "held_seconds of episode 0 is -1, expected seconds from 0 on"),
+        ({"hold_seconds": "ten"}, "hold_seconds of episode 0 is 'ten', expected seconds from 0 on"),
+        ({"reached": None}, "reached of episode 0 is None, expected true or false"),
         ({"behavior": 3}, "behavior of episode 0 is 3, expected a name"),
     ],
 )

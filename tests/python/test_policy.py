@@ -161,6 +161,25 @@ def test_nerves_are_those_with_which_the_policy_has_learned(tmp_path):
     assert shown[1]["outcome"] == "success"
 
 
+def test_nerves_without_an_age_are_those_of_18_months(tmp_path):
+    content = {**json.loads(REACH.read_text()), "version": 2, "delays": True}
+    late, older = tmp_path / "late.json", tmp_path / "older.json"
+    late.write_text(json.dumps(content))
+    older.write_text(json.dumps({**content, "age": 18}))
+    rewards = [
+        json.loads(run(tmp_path, "--policy", file, "--json", *more).stdout)["reward"]
+        for file, more in ((late, []), (older, []), (late, ["--delays", "none"]))
+    ]
+    assert rewards[0] == rewards[1] != rewards[2]
+
+
+def test_a_scene_that_is_not_there_is_the_policy_s(tmp_path):
+    (tmp_path / "lost.json").write_text(json.dumps({**json.loads(REACH.read_text()), "scene": "reech"}))
+    refused = run(tmp_path, "--policy", tmp_path / "lost.json")
+    assert refused.returncode == 1
+    assert 'lost.json: its scene: no scene named "reech"' in refused.stderr
+
+
 def test_a_recording_of_a_policy_ends_with_its_episode(tmp_path):
     episode = ["--policy", POLICIES / "sit.json", "--seconds", 30]
     told = json.loads(run(tmp_path, *episode, "--json").stdout)

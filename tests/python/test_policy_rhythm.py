@@ -317,6 +317,39 @@ def test_python_names_a_file_that_holds_no_policy(tmp_path, text, said):
         mimo.Policy.load(file)
 
 
+def test_messages_cut_long_values(reaching, tmp_path):
+    content = {**json.loads(reaching[0].read_text()), "age": [0] * 10_000, "n" * 10_000: 1}
+    for name in ("age", "n" * 10_000):
+        file = tmp_path / "long.json"
+        file.write_text(
+            json.dumps({key: value for key, value in content.items() if key in (name, *mimo.policy.MEMBERS)})
+        )
+        content.pop(name)
+        by_program = subprocess.run([program(), "run", "--policy", str(file)], capture_output=True, text=True)
+        assert len(by_program.stderr) < 600
+        assert len(in_node(json.loads(file.read_text())).stderr) < 2500 or not shutil.which("node")
+        with pytest.raises(ValueError, match="policy") as refused:
+            mimo.Policy.load(file)
+        assert len(str(refused.value)) < 600
+
+
+def test_a_network_that_gives_no_number_is_named(reaching, tmp_path):
+    """Two of the largest numbers added are infinite, and one such less another is none."""
+    policy = mimo.Policy.load(reaching[0])
+    weights, bias = policy.layers[0]
+    policy.layers[0] = (np.where(np.arange(98) % 2, weights * 0 + 3e38, -3e38).astype(np.float32), bias)
+    policy.layers[1] = (np.full_like(policy.layers[1][0], 3e38), policy.layers[1][1])
+    policy.mean[:] = 3e38
+    policy.save(tmp_path / "wild.json")
+    policy.attach(reaching[3])
+    with pytest.raises(ValueError, match="network gives what is no finite number"):
+        policy.act(reaching[3].observation, [-1] * 8, [1] * 8, 0)
+    arguments = ["--policy", str(tmp_path / "wild.json"), "--vision", "off", "--out", str(tmp_path)]
+    said = subprocess.run([program(), "run", *arguments], capture_output=True, text=True)
+    assert said.returncode == 1
+    assert "wild.json: its network gives what is no finite number" in said.stderr
+
+
 def test_the_program_names_what_does_not_fit_the_world(reaching, tmp_path):
     content = json.loads(reaching[0].read_text())
     joints = ["robot:tail", *content["reflex"]["joints"][1:]]

@@ -8,73 +8,79 @@ const MOST_PERIODS = 64;
 const MOST_ROWS = 4096; // of a layer, and numbers of a field
 const [ANGLES, VELOCITIES] = ["proprioception/position", "proprioception/velocity"]; // what a reflex feels
 
+/** A value for a message. */
+function told(value) {
+  const text = JSON.stringify(value) ?? "missing";
+  return text.length > 60 ? `${text.slice(0, 60)}...` : text;
+}
+
 function refuse(why) {
   throw new Error(`the policy is refused: ${why}`);
 }
 
-function refuseUnknown(owner, told, known) {
-  for (const name of Object.keys(told)) {
-    if (!known.includes(name)) refuse(`${owner} has no member "${name}"; expected ${known.join(", ")}`);
+function refuseUnknown(owner, members, known) {
+  for (const name of Object.keys(members)) {
+    if (!known.includes(name)) refuse(`${owner} has no member ${told(name)}; expected ${known.join(", ")}`);
   }
 }
 
 function checkMembers(content) {
   if (content?.format !== FORMAT) refuse(`"format" is not "${FORMAT}"`);
   if (content.version === 2) return refuseUnknown("a policy", content, MEMBERS);
-  if (content.version !== 1) refuse(`its version is ${JSON.stringify(content.version)}, and this page reads versions 1 and 2`);
+  if (content.version !== 1) refuse(`its version is ${told(content.version)}, and this page reads versions 1 and 2`);
   for (const name of NEW) {
     if (name in content) refuse(`"${name}" needs version 2, and its version is 1`);
   }
 }
 
 function list(name, value, count = value?.length) {
-  if (!Array.isArray(value)) refuse(`"${name}" is ${JSON.stringify(value)}, expected a list`);
+  if (!Array.isArray(value)) refuse(`"${name}" is ${told(value)}, expected a list`);
   if (value.length !== count) refuse(`"${name}" has ${value.length} elements, expected ${count}, one for each action`);
   return value;
 }
 
 function positive(name, value, least = Number.MIN_VALUE) {
   if (!(typeof value === "number" && Number.isFinite(Math.fround(value)) && value >= least)) {
-    refuse(`"${name}" is ${JSON.stringify(value)}, expected a number ${least === 0 ? "from 0 on" : "above 0"}`);
+    refuse(`"${name}" is ${told(value)}, expected a number ${least === 0 ? "from 0 on" : "above 0"}`);
   }
   return value;
 }
 
 function monthsOf(age) {
   if (age === undefined) return undefined;
-  if (!(typeof age === "number" && age >= 0 && age <= 24)) refuse(`"age" is ${JSON.stringify(age)}, expected months from 0 to 24`);
+  if (!(typeof age === "number" && age >= 0 && age <= 24)) refuse(`"age" is ${told(age)}, expected months from 0 to 24`);
   return age;
 }
 
 /** Shorter periods and longer holds are a mistake, and their quotients would end at infinity. */
 function seconds(name, value) {
-  if (!(typeof value === "number" && value >= 1e-3 && value <= 1e6)) refuse(`"${name}" is ${JSON.stringify(value)}, expected seconds from 0.001 to 1e+06`);
+  if (!(typeof value === "number" && value >= 1e-3 && value <= 1e6)) refuse(`"${name}" is ${told(value)}, expected seconds from 0.001 to 1e+06`);
   return value;
 }
 
-function reflexOf(told, actions) {
-  if (told === undefined) return undefined;
-  if (typeof told !== "object" || told === null || Array.isArray(told)) refuse(`"reflex" is ${JSON.stringify(told)}, expected an object`);
-  refuseUnknown('"reflex"', told, REFLEX);
-  positive("stiffness", told.stiffness);
-  positive("damping", told.damping, 0);
-  for (const name of list("joints", told.joints, actions.length)) {
-    if (typeof name !== "string") refuse(`"joints" holds ${JSON.stringify(name)}, expected names`);
+function reflexOf(reflex, actions) {
+  if (reflex === undefined) return undefined;
+  if (typeof reflex !== "object" || reflex === null || Array.isArray(reflex)) refuse(`"reflex" is ${told(reflex)}, expected an object`);
+  refuseUnknown('"reflex"', reflex, REFLEX);
+  positive("stiffness", reflex.stiffness);
+  positive("damping", reflex.damping, 0);
+  for (const name of list("joints", reflex.joints, actions.length)) {
+    if (typeof name !== "string") refuse(`"joints" holds ${told(name)}, expected names`);
   }
-  for (const angle of list("start", told.start, actions.length)) {
-    if (typeof angle !== "number" || !Number.isFinite(Math.fround(angle))) refuse(`"start" holds ${JSON.stringify(angle)}, expected a finite number`);
+  for (const angle of list("start", reflex.start, actions.length)) {
+    if (typeof angle !== "number" || !Number.isFinite(Math.fround(angle))) refuse(`"start" holds ${told(angle)}, expected a finite number`);
   }
-  return told;
+  return reflex;
 }
 
 function textIn(content, name) {
   const text = content[name] ?? "";
-  if (content.version > 1 && (content[name] === null || typeof text !== "string")) refuse(`"${name}" is ${JSON.stringify(content[name])}, expected text`);
+  if (content.version > 1 && (content[name] === null || typeof text !== "string")) refuse(`"${name}" is ${told(content[name])}, expected text`);
   return typeof text === "string" ? text : "";
 }
 
 function size(name, value) {
-  if (!(Number.isInteger(value) && value >= 1 && value <= MOST_ROWS)) refuse(`${name} is ${JSON.stringify(value)}, expected 1 to ${MOST_ROWS}`);
+  if (!(Number.isInteger(value) && value >= 1 && value <= MOST_ROWS)) refuse(`${name} is ${told(value)}, expected 1 to ${MOST_ROWS}`);
   return value;
 }
 
@@ -124,7 +130,7 @@ export class Policy {
     this.scene = textIn(content, "scene");
     this.age = monthsOf(content.age);
     this.delays = memberOr(content, "delays", false);
-    if (typeof this.delays !== "boolean") refuse(`"delays" is ${JSON.stringify(content.delays)}, expected true or false`);
+    if (typeof this.delays !== "boolean") refuse(`"delays" is ${told(content.delays)}, expected true or false`);
     this.stepSeconds = positive("step_seconds", memberOr(content, "step_seconds", 0), 0);
     this.clip = positive("clip", memberOr(content, "clip", 10));
     this.fields = fieldsIn(content);
@@ -213,6 +219,7 @@ export class Policy {
       }
       row = out;
     });
+    if (!row.every(Number.isFinite)) refuse("its network gives what is no finite number");
   }
 }
 

@@ -7,6 +7,7 @@ import binascii
 import json
 import math
 import os
+from reprlib import repr as short
 from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -114,7 +115,7 @@ class Policy:
     def _checked(self, reflex: Union[StretchReflex, Mapping[str, Any]]) -> StretchReflex:
         told = reflex._asdict() if isinstance(reflex, StretchReflex) else reflex
         if not isinstance(told, Mapping):
-            raise ValueError(f"reflex is {told!r}, expected an object")
+            raise ValueError(f"reflex is {short(told)}, expected an object")
         _refuse_unknown("reflex", told, StretchReflex._fields)
         for name in StretchReflex._fields:
             if name not in told:
@@ -127,9 +128,9 @@ class Policy:
                 )
         for joint, angle in zip(joints, start):
             if not isinstance(joint, str):
-                raise ValueError(f"joints of reflex holds {joint!r}, expected names")
+                raise ValueError(f"joints of reflex holds {short(joint)}, expected names")
             if not _is_number(angle) or not abs(angle) <= LARGEST:
-                raise ValueError(f"start of reflex holds {angle!r}, expected a finite number")
+                raise ValueError(f"start of reflex holds {short(angle)}, expected a finite number")
         return StretchReflex(
             _positive("stiffness", told["stiffness"]),
             _positive("damping", told["damping"], or_zero=True),
@@ -281,11 +282,15 @@ class Policy:
         seen = np.concatenate(
             [*(np.ravel(np.asarray(observation[name], np.float32)) for name, _ in self.fields), clock]
         )
-        row = np.clip((seen - self.mean) / self.deviation, -self.clip, self.clip)
-        for weights, bias in self.layers[:-1]:
-            row = np.tanh(weights @ row + bias)
-        weights, bias = self.layers[-1]
-        return np.asarray(weights @ row + bias, np.float32)
+        with np.errstate(over="ignore", invalid="ignore"):
+            row = np.clip((seen - self.mean) / self.deviation, -self.clip, self.clip)
+            for weights, bias in self.layers[:-1]:
+                row = np.tanh(weights @ row + bias)
+            weights, bias = self.layers[-1]
+            given = np.asarray(weights @ row + bias, np.float32)
+        if not np.isfinite(given).all():
+            raise ValueError("the policy's network gives what is no finite number")
+        return given
 
 
 def _field(world: "World", name: str) -> Any:
@@ -298,7 +303,7 @@ def _field(world: "World", name: str) -> Any:
 def _refuse_unknown(owner: str, told: Mapping[str, Any], known: Iterable[str]) -> None:
     for name in told:
         if name not in known:
-            raise ValueError(f"{owner} has no member {name!r}{meant(name, known)}; expected {', '.join(known)}")
+            raise ValueError(f"{owner} has no member {short(name)}{meant(name, known)}; expected {', '.join(known)}")
 
 
 def _arguments(content: Any) -> Dict[str, Any]:
@@ -307,7 +312,7 @@ def _arguments(content: Any) -> Dict[str, Any]:
         raise ValueError(f"this is no JSON object whose format is {FORMAT!r}")
     version = content.get("version")
     if version not in VERSIONS or isinstance(version, bool):
-        raise ValueError(f"its version is {version!r}, and this library reads versions 1 and 2")
+        raise ValueError(f"its version is {short(version)}, and this library reads versions 1 and 2")
     if version == 1:  # which had members that nobody knew, and they were passed over
         for name in NEW:
             if name in content:
@@ -318,7 +323,7 @@ def _arguments(content: Any) -> Dict[str, Any]:
     for name in ("what", "scene"):
         if not isinstance(told.get(name, ""), str):
             if version > 1:
-                raise ValueError(f"{name} is {told[name]!r}, expected text")
+                raise ValueError(f"{name} is {short(told[name])}, expected text")
             del told[name]
     for name in NEEDED:
         if name not in content:
@@ -328,7 +333,7 @@ def _arguments(content: Any) -> Dict[str, Any]:
             raise ValueError(f"{name} is null, expected a value, or nothing of that name")
     for name in _listed("actions", content["actions"]):
         if not isinstance(name, str):
-            raise ValueError(f"actions holds {name!r}, expected names")
+            raise ValueError(f"actions holds {short(name)}, expected names")
     told["fields"] = [_pair(field) for field in _listed("fields", content["fields"])]
     if version == 1 and not told["fields"]:
         raise ValueError("fields is [], expected names and counts")
@@ -342,7 +347,7 @@ def _pair(field: Any) -> Tuple[str, int]:
         name, count = field
         if isinstance(name, str) and _is_size(count):
             return name, count
-    raise ValueError(f"fields holds {field!r:.60}, expected a name and a count from 1 to {MOST_ROWS}")
+    raise ValueError(f"fields holds {short(field)}, expected a name and a count from 1 to {MOST_ROWS}")
 
 
 def _is_size(value: Any) -> bool:
@@ -351,19 +356,19 @@ def _is_size(value: Any) -> bool:
 
 def _layer(layer: Any, version: int) -> Layer:
     if not isinstance(layer, dict) or not set(LAYER) <= set(layer):
-        raise ValueError(f"layers holds {layer!r:.60}, expected objects with {', '.join(LAYER)}")
+        raise ValueError(f"layers holds {short(layer)}, expected objects with {', '.join(LAYER)}")
     if version > 1:
         _refuse_unknown("a layer", layer, LAYER)
     rows, weights, bias = layer["rows"], _unpacked("weights", layer["weights"]), _unpacked("bias", layer["bias"])
     if not _is_size(rows) or len(weights) % rows:
         expected = f"expected 1 to {MOST_ROWS}, a divisor of its {len(weights)} weights"
-        raise ValueError(f"rows of a layer is {rows!r}, {expected}")
+        raise ValueError(f"rows of a layer is {short(rows)}, {expected}")
     return weights.reshape(rows, len(weights) // rows), bias
 
 
 def _listed(name: str, value: Any) -> Sequence[Any]:
     if isinstance(value, (str, Mapping)) or not hasattr(value, "__len__"):
-        raise ValueError(f"{name} is {value!r}, expected a list")
+        raise ValueError(f"{name} is {short(value)}, expected a list")
     values: Sequence[Any] = value
     return values
 
@@ -371,7 +376,7 @@ def _listed(name: str, value: Any) -> Sequence[Any]:
 def _seconds(name: str, value: Any) -> float:
     """Shorter periods and longer holds are a mistake, and their quotients would end at infinity."""
     if not (_is_number(value) and 1e-3 <= value <= 1e6):
-        raise ValueError(f"{name} is {value!r}, expected seconds from 0.001 to 1e+06")
+        raise ValueError(f"{name} is {short(value)}, expected seconds from 0.001 to 1e+06")
     return float(value)
 
 
@@ -381,19 +386,19 @@ def _is_number(value: Any) -> bool:
 
 def _positive(name: str, value: Any, or_zero: bool = False) -> float:
     if not (_is_number(value) and value <= LARGEST and (value > 0 or (or_zero and value == 0))):
-        raise ValueError(f"{name} is {value!r}, expected a number {'from 0 on' if or_zero else 'above 0'}")
+        raise ValueError(f"{name} is {short(value)}, expected a number {'from 0 on' if or_zero else 'above 0'}")
     return float(value)
 
 
 def _months(age: Any) -> float:
     if not (_is_number(age) and 0 <= age <= 24):
-        raise ValueError(f"age is {age!r}, expected months from 0 to 24")
+        raise ValueError(f"age is {short(age)}, expected months from 0 to 24")
     return float(age)
 
 
 def _flag(name: str, value: Any) -> bool:
     if not isinstance(value, bool):
-        raise ValueError(f"{name} is {value!r}, expected true or false")
+        raise ValueError(f"{name} is {short(value)}, expected true or false")
     return value
 
 
@@ -401,7 +406,7 @@ def _finite(name: str, values: ArrayLike) -> Numbers:
     try:
         array = np.array(values, np.float32)
     except (TypeError, ValueError):
-        raise ValueError(f"{name} is {values!r:.60}, expected numbers") from None
+        raise ValueError(f"{name} is {short(values)}, expected numbers") from None
     if not np.isfinite(array).all():
         raise ValueError(f"{name} holds what is no finite number")
     return array
@@ -426,4 +431,4 @@ def _unpacked(name: str, text: Any) -> Numbers:
     try:
         return np.frombuffer(base64.b64decode(text, validate=True), "<f4").astype(np.float32)
     except (TypeError, ValueError, binascii.Error):
-        raise ValueError(f"{name} is {text!r:.60}, expected 32-bit numbers in base 64") from None
+        raise ValueError(f"{name} is {short(text)}, expected 32-bit numbers in base 64") from None

@@ -42,7 +42,8 @@ class BabyBenchEnv(MIMoEnv):
         self.save_dir = None if self.config["save_dir"] is None else Path(self.config["save_dir"])
         self._log = log_of(self.config) if training else None
         self._counts = counts_of(self.config, self.world)
-        self._last = self._nothing()
+        self._last = self._empty = self._nothing()
+        self._closed = False
         self._settle()
 
     def _settle(self) -> None:
@@ -74,9 +75,11 @@ class BabyBenchEnv(MIMoEnv):
 
     def close(self) -> None:
         """Logs the current episode, and closes the world."""
-        self._end_episode()
-        if self._log is not None:
-            self._log.flush()
+        if not self._closed:
+            self._end_episode()
+            if self._log is not None:
+                self._log.flush()
+        self._closed = True
         super().close()
 
     def _counted(self) -> Dict[str, Any]:
@@ -93,7 +96,7 @@ class BabyBenchEnv(MIMoEnv):
         if self._log is not None:
             self._log.add({**self._last, "steps": self.steps})
         self.steps = 0
-        self._last = self._nothing()
+        self._last = self._empty
 
     @property
     def log(self) -> List[Entry]:

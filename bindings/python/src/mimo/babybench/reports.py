@@ -45,15 +45,15 @@ def _check_measured(path: Path, number: int, entry: Mapping[str, Any]) -> None:
     """Of a behaviour that a scene describes."""
     if "reached" not in entry:
         return
-    for key in ("held_seconds", "hold_seconds", "reached"):
-        if not _is_count(entry.get(key)):
-            raise ValueError(
-                f"{path} is not a log: {key} of episode {number} is {short(entry.get(key))}, expected a count"
-            )
-    if not isinstance(entry.get("behavior"), str):
-        raise ValueError(
-            f"{path} is not a log: behavior of episode {number} is {short(entry.get('behavior'))}, expected a name"
-        )
+    for key, right, expected in (
+        ("held_seconds", _is_count, "seconds from 0 on"),
+        ("hold_seconds", _is_count, "seconds from 0 on"),
+        ("reached", lambda value: value in (False, True), "true or false"),
+        ("behavior", lambda value: isinstance(value, str), "a name"),
+    ):
+        value = entry.get(key)
+        if not right(value):
+            raise ValueError(f"{path} is not a log: {key} of episode {number} is {short(value)}, expected {expected}")
 
 
 def _is_count(value: Any) -> bool:
