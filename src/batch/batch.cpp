@@ -30,6 +30,7 @@ Batch::Batch(const CompiledWorlds& compiled, const Options& options, HostOf host
     : options_(options),
       threads_(thread_count(options)),
       furnished_(compiled.size() == 1 ? threads_ : 1),  // of several models a thread may never draw them all
+      scratch_(threads_),
       reports_(options.worlds),
       loaded_(options.worlds),
       pool_(threads_) {
@@ -38,6 +39,7 @@ Batch::Batch(const CompiledWorlds& compiled, const Options& options, HostOf host
   for (std::size_t i = 0; i < options.worlds; ++i) {
     add_world(compiled[i % compiled.size()], ages, host_of ? host_of(i) : nullptr);
     if (i >= compiled.size()) continue;
+    scratch_.provide(world(i).model(), world(i).data());
     const env::Description own = describe(world(i));
     if (i == 0) description_.begin_as(own);
     check_like(i, *description_.read(), own);

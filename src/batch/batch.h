@@ -13,6 +13,7 @@
 #include "base/span.h"
 #include "batch/step.h"
 #include "batch/threads.h"
+#include "engine/scratch.h"
 
 namespace mimo::batch {
 
@@ -114,6 +115,7 @@ class Batch : private Job {
   Options options_;
   std::size_t threads_;
   std::size_t furnished_;
+  engine::ScratchSupply scratch_;
   std::mutex mutex_;                                       // of renderers, as worlds may change by themselves
   std::vector<std::weak_ptr<SharedRenderers>> renderers_;  // one for each compiled world that worlds are of
   env::LiveDescription description_;

@@ -9,6 +9,10 @@ namespace mimo::engine {
 Scratch::Scratch(const mjModel&, mjData& data) : data_(data) {}
 Scratch::~Scratch() = default;
 
+ScratchSupply::ScratchSupply(std::size_t threads) : threads_(threads) {}
+ScratchSupply::~ScratchSupply() = default;
+void ScratchSupply::provide(const mjModel&, const mjData&) const { static_cast<void>(threads_); }
+
 }  // namespace mimo::engine
 
 #else
@@ -90,30 +94,58 @@ const AtUnload give_back([] {
   }
 });
 
-// That no thread uses, made where all are in use: as many as threads ever stepped at the same time. Null where there is
-// no memory. A thread takes the one that it had before, which its core may still have in the cache.
-ScratchMemory* borrow() {
-  thread_local ScratchMemory* mine = nullptr;
-  if (mine != nullptr && mine->take()) return mine;
-  ScratchMemory* found = last_made.load();
-  while (found != nullptr && !found->take()) found = found->before;
-  if (found != nullptr) return mine = found;
+// In use by the caller; null where there is no memory.
+ScratchMemory* make() {
   watch_the_end();
   ScratchMemory* const made = new (std::nothrow) ScratchMemory;
   if (made == nullptr) return nullptr;
   made->before = last_made.load();
   while (!last_made.compare_exchange_weak(made->before, made)) {
   }
-  return mine = made;
+  return made;
 }
 
+// That no thread uses, made where all are in use. Null where there is no memory. A thread takes the one that it had
+// before, which its core may still have in the cache.
+ScratchMemory* borrow() {
+  thread_local ScratchMemory* mine = nullptr;
+  if (mine != nullptr && mine->take()) return mine;
+  ScratchMemory* found = last_made.load();
+  while (found != nullptr && !found->take()) found = found->before;
+  return mine = found != nullptr ? found : make();
+}
+
+std::size_t bytes_needed(const mjModel& model, const mjData& data) {
+  return stack_bytes(data) + jacobian_bytes(model, data);
+}
+
+std::atomic<std::size_t> threads_to_come{1};  // also one of the host's
+
 }  // namespace
+
+ScratchSupply::ScratchSupply(std::size_t threads) : threads_(threads) { threads_to_come += threads_; }
+ScratchSupply::~ScratchSupply() { threads_to_come -= threads_; }
+
+void ScratchSupply::provide(const mjModel& model, const mjData& data) const {
+  const std::size_t bytes = bytes_needed(model, data);
+  std::size_t count = 0;
+  const auto fit = [&](ScratchMemory& memory) {
+    memory.hold(bytes);
+    memory.give_back();
+  };
+  for (ScratchMemory* memory = last_made.load(); memory != nullptr; memory = memory->before, ++count) {
+    if (memory->take()) fit(*memory);
+  }
+  for (; count < threads_to_come; ++count) {
+    if (ScratchMemory* const memory = make()) fit(*memory);
+  }
+}
 
 Scratch::Scratch(const mjModel& model, mjData& data) : data_(data) {
   ScratchMemory* const memory = borrow();
   if (memory == nullptr) return;
   const std::size_t stack = stack_bytes(data);
-  if (!memory->hold(stack + jacobian_bytes(model, data))) {
+  if (!memory->hold(bytes_needed(model, data))) {
     memory->give_back();
     return;
   }

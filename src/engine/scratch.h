@@ -30,4 +30,19 @@ class Scratch {
   [[maybe_unused]] std::ptrdiff_t moved_ = 0;  // the Jacobian, by bytes
 };
 
+// As long as this lives, so many more threads step at the same time: what they need is there before their first step.
+class ScratchSupply {
+ public:
+  explicit ScratchSupply(std::size_t threads);
+  ~ScratchSupply();
+  ScratchSupply(const ScratchSupply&) = delete;
+  ScratchSupply& operator=(const ScratchSupply&) = delete;
+
+  // For worlds of this model.
+  void provide(const mjModel& model, const mjData& data) const;
+
+ private:
+  std::size_t threads_;
+};
+
 }  // namespace mimo::engine
