@@ -115,8 +115,23 @@ def test_a_document_of_ones_own(tmp_path):
     env = made(behavior=str(file), **BLIND)
     info = acted(env, 3)[4]
     assert (info["behavior"], info["measured"], info["threshold"]) == (str(file), "height head", 0.3)
-    assert env.spec.max_episode_steps == 1000
+    # 5 s in steps of two physics steps of 5 ms, which a world has where its document says nothing.
+    assert (env.spec.max_episode_steps, env.dt) == (500, 0.01)
     assert info["measure"] == pytest.approx(env.unwrapped.world.bodies("head").position[0, 2], abs=0.02)
+
+
+@pytest.mark.parametrize(
+    ("skip", "timestep", "frames"),
+    [('data="3"', "0.005", 3), ('size="3" data="3"', "0.005", 2), ('data="0"', "0.002", 2), ('data="2 0"', "0.005", 2)],
+)
+def test_steps_are_those_of_the_library_s_world(tmp_path, skip, timestep, frames):
+    """Only one number from 1 on is a number of physics steps."""
+    file = tmp_path / "crouch.xml"
+    more = f'<numeric name="mimo:frame_skip" {skip}/></custom><option timestep="{timestep}"/>'
+    file.write_text(CROUCH.replace("</custom>", more))
+    told = babybench.load({"behavior": str(file)})
+    assert told["frame_skip"] == frames
+    assert told["max_episode_steps"] == round(5 / (frames * float(timestep)))
 
 
 def test_senses_and_pictures():
@@ -254,6 +269,13 @@ def test_what_does_not_go_together_is_refused(given, line):
     with pytest.raises(ValueError, match=line) as raised:
         babybench.make(given)
     assert "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("option", ['timestep="abc"', 'timestep="0"', 'timestep="0.002 0.003"'])
+def test_a_document_that_cannot_be_simulated_is_refused(tmp_path, option):
+    (tmp_path / "bad.xml").write_text(CROUCH.replace("<custom>", f"<option {option}/><custom>"))
+    with pytest.raises(ValueError, match=r"bad\.xml"):
+        babybench.make({"behavior": str(tmp_path / "bad.xml"), **BLIND})
 
 
 def test_a_document_that_says_nonsense_is_refused(tmp_path):

@@ -14,6 +14,7 @@ from ..behaviour import Behaviour
 from ..constants import Act
 from ..errors import Error, NotFoundError
 from ..scene import FILES, Scene, scenes
+from ..world import World
 from .groups import flags, group_of
 
 COUNTED = ("none", "self_touch", "hand_regard")  # the competition's own, which the library's tasks count
@@ -30,11 +31,13 @@ class Described:
             if not _tells(plan):
                 raise ValueError(f"behavior is {self.name!r}, whose scene describes no behaviour")
             self.behaviour: Behaviour = plan.behaviour()
-            plan.add_agent()
+            plan.add_agent(touch=False, vision=False)
             whole.add_agent(acts=Act.ALL)
+            with World(plan) as world:
+                self.motors = list(world.action_names)
+                self.frame_skip, self.timestep = world.frame_skip, world.timestep
         except (Error, OSError) as error:
             raise ValueError(f"behavior is {self.name!r}, which is refused: {error}") from None
-        self.motors = [motor.get("name", "") for motor in motors_in(ElementTree.fromstring(plan.xml))]
         self.root = ElementTree.fromstring(whole.xml)  # of the scene with its infant, all of whose motors act
         self.moved = {group_of(motor) for motor in self.motors}
 
@@ -49,13 +52,11 @@ class Described:
 
     def standard(self, frame_skip: Optional[int] = None) -> Dict[str, Any]:
         """Values of a configuration's keys as the scene has them, in steps of so many physics steps, or its own."""
-        skip = self.root.find("custom/numeric[@name='mimo:frame_skip']")
-        frames = frame_skip or (1 if skip is None else int(float(skip.get("data", "1"))))
-        steps = [float(option.get("timestep", "")) for option in self.root.findall("option[@timestep]")] or [0.002]
+        frames = frame_skip or self.frame_skip
         return {
             "scene": self.name,
             "frame_skip": frames,
-            "max_episode_steps": max(1, round(self.behaviour.episode_seconds / (frames * steps[-1]))),
+            "max_episode_steps": max(1, round(self.behaviour.episode_seconds / (frames * self.timestep))),
             **{name: group in self.moved for name, group in flags("act").items()},
             **dict.fromkeys(flags("lock"), False),
         }
