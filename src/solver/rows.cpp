@@ -247,32 +247,53 @@ Softness softness_of(const mjModel& model, const double* ref, const double* imp)
   return soft;
 }
 
+// What a product lacks, by Dekker's halves of numbers.
+double rest_of_product(double a, double b, double product) {
+  const auto upper = [](double x) {
+    const double split = 134217729 * x;
+    return split - (split - x);
+  };
+  const double a_high = upper(a), a_low = a - a_high, b_high = upper(b), b_low = b - b_high;
+  return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
 struct Impedance {
   double value, slope;
 };
 
-// At this depth beyond the margin.
-Impedance impedance_of(const std::array<double, mjNIMP>& imp, double depth) {
+// At this depth beyond the margin. False where only MuJoCo knows what its pow gives.
+bool find_impedance(const std::array<double, mjNIMP>& imp, double depth, Impedance& found) {
   const auto [low, high, width, middle, power] = imp;
-  if (low == high || width <= mjMINVAL) return {0.5 * (low + high), 0};
-  const double signed_share = depth / width, share = std::abs(signed_share);
-  if (share >= 1 || share <= 0) return {share >= 1 ? high : low, 0};
-  double y = share, slope = 1;
-  if (power != 1 && share <= middle) {
-    const double a = 1 / std::pow(middle, power - 1);
-    y = a * std::pow(share, power);
-    slope = power * a * std::pow(share, power - 1);
-  } else if (power != 1) {
-    const double b = 1 / std::pow(1 - middle, power - 1);
-    y = 1 - b * std::pow(1 - share, power);
-    slope = power * b * std::pow(1 - share, power - 1);
+  if (low == high || width <= mjMINVAL) {
+    found = {0.5 * (low + high), 0};
+    return true;
   }
-  return {low + y * (high - low), slope * (signed_share < 0 ? -1 : 1) * (high - low) / width};
+  const double signed_share = depth / width, share = std::abs(signed_share);
+  if (share >= 1 || share <= 0) {
+    found = {share >= 1 ? high : low, 0};
+    return true;
+  }
+  double y = share, slope = 1;
+  if (power != 1) {
+    const bool lower = share <= middle;
+    const double base = lower ? share : 1 - share;
+    double whole = 0, part = 0, less = 0;
+    if (!find_power(lower ? middle : 1 - middle, power - 1, whole) || !find_power(base, power, part) ||
+        !find_power(base, power - 1, less)) {
+      return false;
+    }
+    const double scale = 1 / whole;
+    y = lower ? scale * part : 1 - scale * part;
+    slope = power * scale * less;
+  }
+  found = {low + y * (high - low), slope * (signed_share < 0 ? -1 : 1) * (high - low) / width};
+  return true;
 }
 
-// Of `rows` that begin with this one; `weights` are those of bodies or joints against a push and a turn.
-void write_softness(mjData& data, int row, int rows, const Softness& soft, double push, double turn) {
-  const Impedance impedance = impedance_of(soft.imp, data.efc_pos[row] - data.efc_margin[row]);
+// Of `rows` that begin with this one; `push` and `turn` are the weights of bodies or joints.
+bool write_softness(mjData& data, int row, int rows, const Softness& soft, double push, double turn) {
+  Impedance impedance{};
+  if (!find_impedance(soft.imp, data.efc_pos[row] - data.efc_margin[row], impedance)) return false;
   const auto& ref = soft.ref;
   const double value = impedance.value, high = soft.imp[1];
   const double stiffness = ref[0] > 0 ? 1 / std::max(mjMINVAL, high * high * ref[0] * ref[0] * ref[1] * ref[1])
@@ -287,15 +308,16 @@ void write_softness(mjData& data, int row, int rows, const Softness& soft, doubl
     numbers[2] = value;
     numbers[3] = impedance.slope;
   }
+  return true;
 }
 
-void soften_contact(const mjModel& model, mjData& data, int row) {
+bool soften_contact(const mjModel& model, mjData& data, int row) {
   mjContact& contact = data.contact[data.efc_id[row]];
   const double* first = model.body_invweight0 + 2 * model.geom_bodyid[contact.geom1];
   const double* second = model.body_invweight0 + 2 * model.geom_bodyid[contact.geom2];
-  write_softness(data, row, contact.dim, softness_of(model, contact.solref, contact.solimp), first[0] + second[0],
-                 first[1] + second[1]);
-  if (contact.dim == 1) return;
+  const Softness soft = softness_of(model, contact.solref, contact.solimp);
+  if (!write_softness(data, row, contact.dim, soft, first[0] + second[0], first[1] + second[1])) return false;
+  if (contact.dim == 1) return true;
   double* resistance = data.efc_R + row;
   const double* friction = contact.friction;
   resistance[1] = resistance[0] / std::max(mjMINVAL, model.opt.impratio);
@@ -303,12 +325,13 @@ void soften_contact(const mjModel& model, mjData& data, int row) {
   for (int i = 1; i < contact.dim - 1; ++i) {
     resistance[i + 1] = resistance[1] * friction[0] * friction[0] / (friction[i] * friction[i]);
   }
+  return true;
 }
 
-void soften_single(const mjModel& model, mjData& data, int row) {
+bool soften_single(const mjModel& model, mjData& data, int row) {
   const int id = data.efc_id[row];
   const auto write = [&](const double* ref, const double* imp, double weight) {
-    write_softness(data, row, 1, softness_of(model, ref + mjNREF * id, imp + mjNIMP * id), weight, weight);
+    return write_softness(data, row, 1, softness_of(model, ref + mjNREF * id, imp + mjNIMP * id), weight, weight);
   };
   switch (data.efc_type[row]) {
     case mjCNSTR_FRICTION_DOF: return write(model.dof_solref, model.dof_solimp, model.dof_invweight0[id]);
@@ -318,29 +341,56 @@ void soften_single(const mjModel& model, mjData& data, int row) {
   }
 }
 
-void soften(const mjModel& model, mjData& data) {
-  int row = 0;
-  for (; row < data.nefc && data.efc_type[row] <= mjCNSTR_LIMIT_TENDON; ++row) soften_single(model, data, row);
-  for (; row < data.nefc; row += data.contact[data.efc_id[row]].dim) soften_contact(model, data, row);
+bool soften(const mjModel& model, mjData& data) {
+  for (int row = 0; row < data.nefc;) {
+    const bool single = data.efc_type[row] <= mjCNSTR_LIMIT_TENDON;
+    if (!(single ? soften_single(model, data, row) : soften_contact(model, data, row))) return false;
+    row += single ? 1 : data.contact[data.efc_id[row]].dim;
+  }
   for (int i = 0; i < data.nefc; ++i) {
     const double value = data.efc_KBIP[4 * i + 2];
     data.efc_D[i] = 1 / data.efc_R[i];
     data.efc_diagApprox[i] = data.efc_R[i] * value / (1 - value);
   }
+  return true;
 }
 
 }  // namespace
+
+// A library's pow errs by a little more than half of a last digit (glibc's by .512), so it rounds as the exact power
+// does, except where that is about half way between two numbers.
+bool find_power(double x, double power, double& found) {
+  found = x;
+  if (power == 1) return true;
+  double rest = 0;
+  if (power == 2) {
+    found = x * x;
+    rest = rest_of_product(x, x, found);
+  } else if (power == 0.5 || power == 1.5) {
+    const double root = std::sqrt(x), square = root * root;
+    found = root;
+    rest = ((x - square) - rest_of_product(root, root, square)) / (2 * root);
+    if (power == 1.5) {
+      const double product = x * root;
+      rest = rest_of_product(x, root, product) + x * rest;
+      found = product + rest;
+      rest += product - found;
+    }
+  } else {
+    return false;
+  }
+  return x > 1e-6 && found + 1.03 * rest == found;
+}
 
 MIMO_ALSO_FOR_AVX2
 void make_constraints(const mjModel& model, mjData& data) {
   data.ne = data.nf = data.nefc = 0;
   if (!is_on(model, mjDSBL_CONSTRAINT) || model.njmax == 0) return;
-  const bool ours =
-      is_usual(model) && add_frictions(model, data) && add_limits(model, data) && add_contacts(model, data);
+  const bool ours = is_usual(model) && add_frictions(model, data) && add_limits(model, data) &&
+                    add_contacts(model, data) && soften(model, data);
   if (!ours) return mj_makeConstraint(&model, &data);
   data.maxuse_con = std::max(data.maxuse_con, data.ncon);
   data.maxuse_efc = std::max(data.maxuse_efc, data.nefc);
-  soften(model, data);
 }
 
 }  // namespace mimo::solver
