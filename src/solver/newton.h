@@ -27,11 +27,11 @@ double find_least(mjData& data, const Line& line, double tolerance);
 // built-in scenes ask for, and nothing out of the ordinary.
 bool newton_step_serves(const mjModel& model);
 
-// mj_step, with our solver in the place of mj_fwdConstraint, and on MuJoCo 2.2.2 with stages of our own that give the same
-// numbers (solver/tree.h, rows.h, matrices.h, collision.h). Like MuJoCo it takes its room from mjData's stack, and leaves
-// by MuJoCo's error where that is too small. Not filled in are mjData.solver, its timers of stages within a step, the
-// transposed Jacobian (efc_JT and its indices) and rows of equal pattern (efc_J_rowsuper is zero), and the warnings of a
-// solver that gets stuck; a matrix that is singular to rounding is solved all the same.
+// mj_step, with our solver in the place of mj_fwdConstraint, and on MuJoCo 2.2.2 with stages of our own that give the
+// same numbers (solver/tree.h, rows.h, matrices.h, collision.h). Like MuJoCo it takes its room from mjData's stack, and
+// leaves by MuJoCo's error where that is too small. Not filled in are mjData.solver, its timers of stages within a
+// step, the transposed Jacobian (efc_JT and its indices) and rows of equal pattern (efc_J_rowsuper is zero), and the
+// warnings of a solver that gets stuck; a matrix that is singular to rounding is solved all the same.
 void newton_step(const mjModel* model, mjData* data);
 
 }  // namespace mimo::solver
