@@ -20,8 +20,9 @@ std::size_t elements(const mimo_field& field) {
 
 mimo_field field_of(const std::string& file, const std::vector<mimo_field>& all, const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const mimo_field& one) { return name == one.name; });
-  if (found == all.end()) refuse_policy(file, text("the world has no field \"%.100s\"", name.c_str()));
-  if (found->dtype != MIMO_F32) refuse_policy(file, text("field \"%s\" holds no 32-bit numbers", name.c_str()));
+  if (found == all.end()) refuse_policy(file, text("the world has no field \"%s\"", shortened(name).c_str()));
+  if (found->dtype != MIMO_F32)
+    refuse_policy(file, text("field \"%s\" holds no 32-bit numbers", shortened(name).c_str()));
   return *found;
 }
 
@@ -38,7 +39,7 @@ void Policy::attach(const mimo::Env& env) {
       refuse_policy(name_,
                     text("field \"%s\" has %zu numbers in this world, and %zu in the policy: another body, other "
                          "senses or other motors",
-                         field.name.c_str(), elements(places_.back()), field.count));
+                         shortened(field.name).c_str(), elements(places_.back()), field.count));
     }
   }
   attach_actions(layout.actions());
@@ -72,7 +73,7 @@ void Policy::attach_actions(const std::vector<mimo_action>& actions) {
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (own[i] != actions[i].name) {
       refuse_policy(name_, text("action %zu is \"%s\" in this world, and \"%s\" in the policy", i, actions[i].name,
-                                own[i].c_str()));
+                                shortened(own[i]).c_str()));
     }
     bounds_.push_back({static_cast<float>(actions[i].low), static_cast<float>(actions[i].high)});
   }
@@ -88,8 +89,8 @@ void Policy::attach_reflex(const mimo::Layout& layout) {
     std::size_t at = 0;
     while (at < count && layout.label(angles_.name, at) != joint) ++at;
     if (at == count) {
-      refuse_policy(
-          name_, text("\"joints\" has \"%s\", and no element of proprioception/position is called so", joint.c_str()));
+      refuse_policy(name_, text("\"joints\" has \"%s\", and no element of proprioception/position is called so",
+                                shortened(joint).c_str()));
     }
     joints_.push_back(at);
   }

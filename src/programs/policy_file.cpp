@@ -41,20 +41,14 @@ std::string joined(const Names& names) {
   return all;
 }
 
-// A value for a message, which is one line of a terminal.
-std::string said(const Json& value) {
-  constexpr std::size_t kLongest = 60;
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > kLongest) text.replace(kLongest, std::string::npos, "...");
-  return text;
-}
+std::string said(const Json& value) { return shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace)); }
 
 void refuse_unknown(const std::string& file, const Json& content, const Names& known, const char* owner) {
   for (const auto& [name, value] : content.items()) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const std::string meant = mimo::nearest(name, known);
     refuse_policy(file,
-                  text("%s has no member \"%.60s\"%s; expected %s", owner, name.c_str(),
+                  text("%s has no member \"%s\"%s; expected %s", owner, shortened(name).c_str(),
                        meant.empty() ? "" : (", did you mean \"" + meant + "\"?").c_str(), joined(known).c_str()));
   }
 }
@@ -261,6 +255,14 @@ std::optional<PolicyFile::Reflex> reflex(const std::string& file, const Json& co
 }
 
 }  // namespace
+
+std::string shortened(std::string text) {
+  std::size_t longest = 60;
+  if (text.size() <= longest) return text;
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xc0) == 0x80)
+    --longest;  // a letter's later bytes
+  return text.replace(longest, std::string::npos, "...");
+}
 
 void refuse_policy(const std::string& file, const std::string& why) { throw Failure("policy " + file + ": " + why); }
 

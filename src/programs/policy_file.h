@@ -38,6 +38,9 @@ struct PolicyFile {
   std::optional<Reflex> reflex;
 };
 
+// What a file says, for a message: cut between two letters where it is long.
+std::string shortened(std::string text);
+
 [[noreturn]] void refuse_policy(const std::string& file, const std::string& why);
 
 // Throws a Failure for a file that cannot be read or is no policy.

@@ -341,6 +341,17 @@ def test_messages_cut_long_values(reaching, tmp_path):
         assert len(str(refused.value)) < 600
 
 
+def test_messages_are_cut_between_letters(reaching, tmp_path):
+    """A name of letters of two bytes, once from an odd byte on."""
+    content = json.loads(reaching[0].read_text())
+    for wrong in ({"age": "ä" * 100}, {"ä" * 100: 1}, {"x" + "ä" * 100: 1}, {"fields": [["ä" * 100, 98 - 4]]}):
+        (tmp_path / "long.json").write_text(json.dumps({**content, **wrong}, ensure_ascii=False), encoding="utf-8")
+        arguments = ["--policy", str(tmp_path / "long.json"), "--vision", "off", "--out", str(tmp_path)]
+        refused = subprocess.run([program(), "run", *arguments], capture_output=True)
+        assert refused.returncode == 1
+        assert "ää..." in refused.stderr.decode("utf-8")
+
+
 def test_a_network_that_gives_no_number_is_named(reaching, tmp_path):
     """Two of the largest numbers added are infinite, and one such less another is none."""
     policy = mimo.Policy.load(reaching[0])
