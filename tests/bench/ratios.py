@@ -56,6 +56,7 @@ MAKING = ["bench_making", "benchmark"]
 CONTACTS = ["bench_extras", "contacts"]
 DELAYS = ["bench_extras", "delays", "1500"]
 EYES = ["bench_extras", "eyes"]
+NEWBORN_SMALL = ["bench_extras", "newborn", "1000", "64"]
 NEWBORN = ["bench_extras", "newborn"]
 SKIN = ["bench_extras", "skin", "1500"]
 CARESSES = ["bench_extras", "caresses", "1500"]
@@ -146,6 +147,7 @@ RATIOS = [
     ("contacts of a step recorded, over the step", CONTACTS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's nerves, over the step without eyes", DELAYS, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's eyes, over the step without eyes", EYES, in_text(r"(-?[\d.]+) of a step more")),
+    ("a newborn's eyes and nerves, over the step at V64", NEWBORN_SMALL, in_text(r"(-?[\d.]+) of a step more")),
     ("a newborn's eyes and nerves, over the step at V256", NEWBORN, in_text(r"(-?[\d.]+) of a step more")),
     ("receptors of skin, over the step without eyes", SKIN, in_text(r"(-?[\d.]+) of a step more")),
     ("caresses of skin, over the step without eyes", CARESSES, in_text(r"(-?[\d.]+) of a step more")),
