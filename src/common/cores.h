@@ -7,6 +7,9 @@
 
 #if defined(__linux__)
 #include <sched.h>
+
+#include <cerrno>
+#include <vector>
 #elif defined(_WIN32)
 #include <pthread.h>
 #endif
@@ -14,12 +17,17 @@
 namespace mimo {
 
 // The cores that its affinity leaves to the calling thread (taskset, a batch queue, a container's cpuset); where the
-// system has no affinity, or more cores than a set of them can name, all of the machine's.
+// system has no affinity, all of the machine's.
 inline std::size_t usable_cores() {
 #if defined(__linux__)
-  cpu_set_t usable;
-  if (sched_getaffinity(0, sizeof usable, &usable) == 0) {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(CPU_COUNT(&usable)));
+  constexpr std::size_t kMostSets = 1024;  // of 1024 cores each; a kernel for more cores refuses fewer sets
+  for (std::size_t sets = 1; sets <= kMostSets; sets *= 2) {
+    std::vector<cpu_set_t> usable(sets);
+    const std::size_t bytes = sets * sizeof(cpu_set_t);
+    if (sched_getaffinity(0, bytes, usable.data()) == 0) {
+      return std::max<std::size_t>(1, static_cast<std::size_t>(CPU_COUNT_S(bytes, usable.data())));
+    }
+    if (errno != EINVAL) break;
   }
 #elif defined(_WIN32)
   return static_cast<std::size_t>(std::max(1, pthread_num_processors_np()));  // of GetProcessAffinityMask

@@ -115,8 +115,12 @@ ScratchMemory* borrow() {
   return mine = found != nullptr ? found : make();
 }
 
+constexpr std::size_t kMostBytes = 16 << 20;
+
+// 0 for a world that uses its own.
 std::size_t bytes_needed(const mjModel& model, const mjData& data) {
-  return stack_bytes(data) + jacobian_bytes(model, data);
+  const std::size_t bytes = stack_bytes(data) + jacobian_bytes(model, data);
+  return bytes <= kMostBytes ? bytes : 0;
 }
 
 std::atomic<std::size_t> threads_to_come{1};  // also one of the host's
@@ -128,6 +132,7 @@ ScratchSupply::~ScratchSupply() { threads_to_come -= threads_; }
 
 void ScratchSupply::provide(const mjModel& model, const mjData& data) const {
   const std::size_t bytes = bytes_needed(model, data);
+  if (bytes == 0) return;
   std::size_t count = 0;
   const auto fit = [&](ScratchMemory& memory) {
     memory.hold(bytes);
@@ -142,10 +147,10 @@ void ScratchSupply::provide(const mjModel& model, const mjData& data) const {
 }
 
 Scratch::Scratch(const mjModel& model, mjData& data) : data_(data) {
-  ScratchMemory* const memory = borrow();
+  const std::size_t bytes = bytes_needed(model, data), stack = stack_bytes(data);
+  ScratchMemory* const memory = bytes == 0 ? nullptr : borrow();
   if (memory == nullptr) return;
-  const std::size_t stack = stack_bytes(data);
-  if (!memory->hold(bytes_needed(model, data))) {
+  if (!memory->hold(bytes)) {
     memory->give_back();
     return;
   }

@@ -13,7 +13,8 @@ struct ScratchMemory;
 // While this lives, mjData has its stack and the constraints' Jacobian in memory that no other thread uses. Neither
 // outlives a call of MuJoCo that computes a step or a part of one. So worlds that a thread steps in turn need one such
 // memory among them, and find it in the processor's cache. Their own stays as large as it is, for all other calls, but
-// the system gives no memory for what no code touches. Where there is no memory, they use their own.
+// the system gives no memory for what no code touches. Where there is no memory, they use their own, and so do worlds
+// that need more than 16 MB: what one thread needed once stays.
 //
 // On MuJoCo 4 this does nothing: one arena has the stack and what a step leaves behind.
 class Scratch {

@@ -217,19 +217,27 @@ void with_kept(Use&& use) {
   use(*kept);
 }
 
+using Kept = std::vector<BodyMapsPtr>;
+
+// Puts it first.
+BodyMapsPtr find(Kept& all, const Surroundings& of) {
+  const auto at = std::find_if(all.begin(), all.end(), [&](const BodyMapsPtr& maps) { return maps->of == of; });
+  if (at == all.end()) return nullptr;
+  std::rotate(all.begin(), at, at + 1);
+  return all.front();
+}
+
 BodyMapsPtr find_kept(const Surroundings& of) {
   BodyMapsPtr found;
-  with_kept([&](std::vector<BodyMapsPtr>& all) {
-    const auto at = std::find_if(all.begin(), all.end(), [&](const BodyMapsPtr& maps) { return maps->of == of; });
-    if (at == all.end()) return;
-    std::rotate(all.begin(), at, at + 1);
-    found = all.front();
-  });
+  with_kept([&](Kept& all) { found = find(all, of); });
   return found;
 }
 
+// Unless another thread has been quicker, or they are too large.
 void keep_too(const BodyMapsPtr& maps) {
-  with_kept([&](std::vector<BodyMapsPtr>& all) {
+  if (maps->bytes() > kMostKeptBytes) return;
+  with_kept([&](Kept& all) {
+    if (find(all, maps->of) != nullptr) return;
     all.insert(all.begin(), maps);
     std::size_t bytes = 0;
     const auto beyond = [&](const BodyMapsPtr& each) { return (bytes += each->bytes()) > kMostKeptBytes; };
@@ -246,6 +254,14 @@ BodyMapsPtr maps_of(const BodySensors& skin, double reach) {
 }
 
 }  // namespace
+
+std::size_t kept_map_bytes() {
+  std::size_t bytes = 0;
+  with_kept([&](Kept& all) {
+    for (const BodyMapsPtr& each : all) bytes += each->bytes();
+  });
+  return bytes;
+}
 
 void Maps::add(const BodySensors& skin, int first, double reach) {
   const BodyMapsPtr maps = maps_of(skin, reach);

@@ -19,6 +19,9 @@ struct Neighbour {
   float x, y;  // along the map owner's first and second tangent, m
 };
 
+// Of the maps that the process keeps.
+std::size_t kept_map_bytes();
+
 class Maps {
  public:
   // Adds the maps of a body's sensors, which are numbered from `first` on. A map reaches `reach` along the skin. Those

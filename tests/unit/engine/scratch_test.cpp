@@ -82,6 +82,14 @@ TEST(Scratch, ServesWorldsOfAllSizesInTurn) {
   EXPECT_EQ(other_in_turn, trajectory(other_alone, 60));
 }
 
+// 2.2 million numbers are more than 16 MB.
+TEST(Scratch, IsTheirOwnOfLargeWorlds) {
+  engine::Physics large(compiled(sparse_pile("<size nstack='2200000'/>")), {});
+  const mjtNum* const own = large.data().stack;
+  const engine::Scratch scratch(large.model(), large.data());
+  EXPECT_EQ(large.data().stack, own);
+}
+
 TEST(Scratch, IsAnotherWhereOneIsInUse) {
   const engine::ModelPtr model = compiled(sparse_pile(""));
   engine::Physics one(model, {}), other(model, {});

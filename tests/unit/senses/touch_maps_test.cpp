@@ -74,22 +74,47 @@ std::vector<float> numbers_of(const Skin& skin) {
   return numbers;
 }
 
-// Maps of bodies that were there before are not made again; cubes of 40 cm take megabytes.
+constexpr const char* kPlate = "<geom type='box' size='.03 .02 .01'/>";
+
 TEST(TouchMaps, AreThoseOfTheirBodyWhateverWasMadeBefore) {
-  const std::string small = "<geom type='box' size='.03 .02 .01'/>",
-                    wider = "<geom type='box' size='.03 .02000001 .01'/>";
-  const auto first = numbers_of(skin_of(small, 0.004));
-  EXPECT_NE(numbers_of(skin_of(wider, 0.004)), first);
-  EXPECT_NE(numbers_of(skin_of(small, 0.00400001)).size(), 0u);
-  EXPECT_EQ(numbers_of(skin_of(small, 0.004)), first);
-  for (const char* size : {".2", ".21", ".22"})
-    skin_of("<geom type='box' size='.2 .2 " + std::string(size) + "'/>", 0.012);
-  EXPECT_EQ(numbers_of(skin_of(small, 0.004)), first);
+  const auto first = numbers_of(skin_of(kPlate, 0.004));
+  EXPECT_NE(numbers_of(skin_of("<geom type='box' size='.03 .02000001 .01'/>", 0.004)), first);
+  EXPECT_EQ(numbers_of(skin_of(kPlate, 0.004)), first);
+}
+
+TEST(TouchMaps, ReachAsFarAsIsAskedForWhateverWasMadeBefore) {
+  const auto model =
+      test::compiled("<mujoco><worldbody><body><freejoint/>" + std::string(kPlate) + "</body></worldbody></mujoco>");
+  const BodySensors sensors = place_sensors(*model, 1, 0.004, {});
+  Maps far, near;
+  far.add(sensors, 0, 0.012);
+  near.add(sensors, 0, 0.006);
+  EXPECT_LT(near.largest(), far.largest());
+  for (const Neighbour& neighbour : near.of(0)) EXPECT_LE(std::hypot(neighbour.x, neighbour.y), 0.006F * 1.00001F);
+}
+
+// 8 MB are kept, of the bodies that were made last; a body that has more than that does not push the others out.
+TEST(TouchMaps, AreKeptForLaterSkinsUpToALimit) {
+  constexpr std::size_t kMost = 8 << 20;
+  const auto cube = [](int centimetres, double spacing) {
+    const std::string side = std::to_string(centimetres * 0.01) + " ";
+    skin_of("<geom type='box' size='" + side + side + side + "'/>", spacing);
+  };
+  for (int centimetres = 20; centimetres < 30; ++centimetres) cube(centimetres, 0.012);
+  const std::size_t full = kept_map_bytes();
+  EXPECT_GT(full, kMost / 2);
+  EXPECT_LE(full, kMost);
+  cube(29, 0.012);
+  EXPECT_EQ(kept_map_bytes(), full);
+  cube(30, 0.006);
+  EXPECT_EQ(kept_map_bytes(), full);
+  skin_of(kPlate, 0.0041);
+  EXPECT_NE(kept_map_bytes(), full);
 }
 
 // The second body's sensors follow those of the first.
 TEST(TouchMaps, OfABodyThatWasThereBeforeNameItsSensorsHere) {
-  const std::string plate = "<geom type='box' size='.03 .02 .01'/>";
+  const std::string plate = kPlate;
   const auto model = test::compiled("<mujoco><worldbody><body><freejoint/>" + plate + "</body><body><freejoint/>" +
                                     plate + "</body></worldbody></mujoco>");
   const Skin both(*model, {{1, 0.004}, {2, 0.004}});
