@@ -5,6 +5,7 @@
 
 #include <cpuid.h>
 
+#include <atomic>
 #include <cstdint>
 
 namespace mimo {
@@ -33,6 +34,24 @@ bool system_saves(unsigned registers) {
 constexpr unsigned kVectors256 = 0x06;  // SSE's and AVX's
 constexpr unsigned kVectors512 = 0xe6;  // and those of AVX-512, with its masks
 
+// An answer kept: in a virtual machine the processor's takes microseconds. No static at first use, whose lock a child
+// process could find closed.
+class Answer {
+ public:
+  template <typename Ask>
+  bool get(Ask ask) {
+    int known = known_.load(std::memory_order_relaxed);
+    if (known == kUnknown) known_.store(known = ask() ? kYes : kNo, std::memory_order_relaxed);
+    return known == kYes;
+  }
+
+ private:
+  enum { kUnknown, kNo, kYes };
+  std::atomic<int> known_{kUnknown};
+};
+
+Answer avx2, avx512;
+
 }  // namespace
 
 bool has_sse4() { return has_all(leaf(1).c, bit_SSE4_2 | bit_PCLMUL); }
@@ -40,12 +59,14 @@ bool has_sse4() { return has_all(leaf(1).c, bit_SSE4_2 | bit_PCLMUL); }
 bool has_avx() { return system_saves(kVectors256) && has_all(leaf(1).c, bit_AVX); }
 
 bool has_avx2() {
-  return system_saves(kVectors256) && has_all(leaf(1).c, bit_FMA) && has_all(leaf(7).b, bit_AVX2 | bit_BMI2);
+  return avx2.get([] {
+    return system_saves(kVectors256) && has_all(leaf(1).c, bit_FMA) && has_all(leaf(7).b, bit_AVX2 | bit_BMI2);
+  });
 }
 
 bool has_avx512() {
-  return system_saves(kVectors512) &&
-         has_all(leaf(7).b, bit_AVX512F | bit_AVX512VL | bit_AVX512DQ | bit_AVX512BW | bit_AVX512CD);
+  constexpr unsigned kAll = bit_AVX512F | bit_AVX512VL | bit_AVX512DQ | bit_AVX512BW | bit_AVX512CD;
+  return avx512.get([] { return system_saves(kVectors512) && has_all(leaf(7).b, kAll); });
 }
 
 }  // namespace mimo

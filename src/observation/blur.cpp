@@ -146,13 +146,9 @@ __attribute__((target("avx2"), flatten)) void weigh_wide(const Light* middle, co
                                                          bool sharpens, std::size_t count, Light* out) {
   weigh(middle, pairs, number, sharpens, count, out);
 }
-bool is_wide() {
-  static const bool wide = has_avx2();
-  return wide;
-}
 #else
 void weigh_wide(const Light*, const Pairs&, std::size_t, bool, std::size_t, Light*) {}
-bool is_wide() { return false; }
+bool has_avx2() { return false; }
 #endif
 
 }  // namespace
@@ -223,7 +219,7 @@ void Smoother::blur_column(std::size_t y) {
 
 void Smoother::weigh(const Light* middle, std::size_t count, Light* out) const {
   const Pairs pairs{before_.data(), after_.data(), weights_.data()};
-  (is_wide() ? weigh_wide : observation::weigh)(middle, pairs, reach_, sharpens_, count, out);
+  (has_avx2() ? weigh_wide : observation::weigh)(middle, pairs, reach_, sharpens_, count, out);
 }
 
 }  // namespace mimo::observation

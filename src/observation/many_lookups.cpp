@@ -101,21 +101,16 @@ MIMO_WITH_AVX512 std::size_t add_up_all(const std::uint8_t* rgb, std::size_t wid
   return x;
 }
 
-bool can() {
-  static const bool can = has_avx512();
-  return can;
-}
-
 }  // namespace
 
 std::size_t look_up_many(const std::uint8_t* rgb, std::size_t width, const LightTable& table, Light* red, Light* green,
                          Light* blue) {
-  return can() ? look_up_all(rgb, width, table, red, green, blue) : 0;
+  return has_avx512() ? look_up_all(rgb, width, table, red, green, blue) : 0;
 }
 
 std::size_t add_up_many(const std::uint8_t* rgb, std::size_t width, const LightTable& red, const LightTable& green,
                         const LightTable& blue, Light* sum) {
-  return can() ? add_up_all(rgb, width, red, green, blue, sum) : 0;
+  return has_avx512() ? add_up_all(rgb, width, red, green, blue, sum) : 0;
 }
 
 }  // namespace mimo::observation
