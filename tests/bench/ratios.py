@@ -14,6 +14,7 @@ not, and OSMesa compiles for what it finds. They serve all the same: a processor
 smaller, and on one with narrower ones --write keeps its own.
 """
 import datetime
+import importlib.util
 import json
 import os
 import pathlib
@@ -27,6 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROGRAMS = HERE.parents[1] / "build" / "bin"
 KEPT = HERE / "ratios.json"
 REACH = HERE.parents[1] / "examples/policies/reach.json"
+PROFILE = HERE.parents[1] / "examples/python/profile_training.py"
 ROUNDS = 3
 WORSE = 1.25
 # A share of a step that nobody would notice, and clocks hardly can: added to every limit.
@@ -51,7 +53,9 @@ THREADS = bench("--vision", "off", "--worlds", "2", "--threads", "2", "--steps",
 RENDER = ["bench_render", "8"]
 TOUCH = ["bench_touch", "500"]
 MUSCLE = ["bench_muscle"]
+MANY_THREADS = bench("--scene", "reach", "--vision", "off", "--worlds", "64", "--threads", "2", "--steps", "100")
 WORLDS = ["bench_worlds", "reach"]
+WORLDS_WITH_SKIN = ["bench_worlds", "benchmark"]
 MAKING = ["bench_making", "benchmark"]
 CONTACTS = ["bench_extras", "contacts"]
 DELAYS = ["bench_extras", "delays", "1500"]
@@ -71,6 +75,8 @@ POLICY = ["mimo", "run", "--json", *("--policy", str(REACH)), *("--task", "none"
           *("--out", str(PROGRAMS.parent / "bench_policy"))]
 OWN_SENSE = ["bench_own_sense"]
 RING = ["bench_models", "ring"]
+PPO = [sys.executable, str(PROFILE), *("--task", "reach"), *("--algorithm", "ppo"), *("--threads", "1"),
+       *("--steps", "4096")]
 
 
 def step_vs_raw(result):
@@ -92,6 +98,10 @@ def share(*parts):
 
 def threads_lost(result):
     return result["raw_scaling"] / result["scaling"]
+
+
+def two_over_gain(result):
+    return 2 / result["scaling"]
 
 
 def allocations(result):
@@ -171,9 +181,12 @@ RATIOS = [
     ("20,736 triangles at 0.80 m, over the picture without", RING, ring(0.80)),  # depends on the processor
     ("batch on a thread, over its worlds one by one", WORLDS, in_text(r"a batch takes ([\d.]+)")),
     ("a further world of a batch, MB", WORLDS, in_text(r"a further world takes (\d+) kB", 1000)),
+    ("a further world with full skin, MB", WORLDS_WITH_SKIN, in_text(r"a further world takes (\d+) kB", 1000)),
     ("making a world, in physics steps", MAKING, in_text(r"making takes [\d.]+ ms \(([\d.]+) steps\)")),
     ("a clone, in physics steps", MAKING, in_text(r"a clone [\d.]+ ms \(([\d.]+) steps\)")),
     ("two threads, bare physics' scaling over ours", THREADS, threads_lost),
+    ("two threads over 64 worlds, 2 over their gain", MANY_THREADS, two_over_gain),
+    ("the environment's share of PPO, one thread", PPO, in_text(r"environment: .* ([\d.]+) %\n", 100)),  # of its learner
     ("allocations in a step at V256", USUAL, allocations),
     ("allocations in a step of five fingers", FINGERS, allocations),
     ("allocations in a step of muscles", MUSCLES, allocations),
@@ -196,8 +209,11 @@ def measurable():
     """Threads that wait for each other every half millisecond show nothing but who else is running, if anybody is."""
     left_out = []
     if idle_cores() <= 1.8:
-        print("no two cores are idle: the ratio of two threads is left out")
-        left_out += [ratio for ratio in RATIOS if ratio[2] is threads_lost]
+        print("no two cores are idle: the ratios of two threads are left out")
+        left_out += [ratio for ratio in RATIOS if ratio[2] in (threads_lost, two_over_gain)]
+    if importlib.util.find_spec("stable_baselines3") is None:
+        print("Stable-Baselines3 is not installed: PPO's ratio is left out")
+        left_out += [ratio for ratio in RATIOS if ratio[1] is PPO]
     if not (PROGRAMS / MUJOCO_4[0]).exists():
         print("./dev test --mujoco4 was not run: the ratio on MuJoCo 4 is left out")
         left_out += [ratio for ratio in RATIOS if ratio[1] is MUJOCO_4]
@@ -205,7 +221,9 @@ def measurable():
 
 
 def run(command, **environment):
-    env = {**os.environ, **environment}
+    python = {"PYTHONPATH": str(HERE.parents[1] / "bindings/python/src"),
+              "MIMO_LIBRARY": str(PROGRAMS.parent / "lib/libmimo.so"), "PYTHONWARNINGS": "ignore"}
+    env = {**os.environ, **python, **environment}
     done = subprocess.run([PROGRAMS / command[0], *command[1:]], capture_output=True, text=True, env=env)
     if done.returncode != 0 or done.stderr:
         sys.exit(f"ratios: {' '.join(command)}: {done.stderr or 'failed'}")

@@ -233,10 +233,12 @@ def test_figure4_trains_the_missing_runs(root, tmp_path):
 def test_times_of_a_training(root):
     profile = [sys.executable, root / "examples/python/profile_training.py", "--task", "reach", "--algorithm", "ppo"]
     told = said(*profile, "--steps", 64, "--worlds", 2, "--rollout", 32, "--batch", 16)
-    shares = [int(share) for share in re.findall(r" (\d+) %\n", told)]
-    environment, learner, rest, library = shares
-    assert environment + learner + rest == pytest.approx(100, abs=2)
-    assert 0 < library <= environment
+    shares = re.findall(r" (\d+) %; .* (\d+) %\n", told)
+    assert len(shares) == 5
+    for column in zip(*shares):  # of the clock, of the processor
+        total, environment, learner, rest, library = map(int, column)
+        assert environment + learner + rest == pytest.approx(total, abs=2)
+        assert 0 < library <= environment < total == 100
 
 
 def test_examples_of_learning(root):
