@@ -37,7 +37,7 @@ typedef struct mimo_batch mimo_batch;
 typedef struct mimo_batch_config {
   uint32_t struct_size;    /**< sizeof(mimo_batch_config), set by mimo_batch_config_init. */
   uint32_t worlds;         /**< 1 (default) to 1048576. */
-  uint32_t threads;        /**< Up to 4096; 0 (default): the number of cores. Never more than worlds. */
+  uint32_t threads;        /**< Up to 4096; 0 (default): the cores that the caller may use. Never more than worlds. */
   int32_t autoreset;       /**< A MIMO_AUTORESET_ constant. When one agent's episode ends, the others' are truncated. */
   uint32_t restart_failed; /**< 1: a world whose simulation fails starts a new episode, as after an end (with
                                 _AUTORESET_NONE: in the same step). 0: it stays failed until mimo_batch_reset or a
@@ -49,7 +49,7 @@ typedef struct mimo_batch_config {
 } mimo_batch_config;
 
 /**
- * Fills a config with defaults: one world, all cores, no automatic reset.
+ * Fills a config with defaults: one world, all cores that the caller may use, no automatic reset.
  * @param size sizeof(mimo_batch_config) as the caller knows it.
  */
 MIMO_API mimo_status mimo_batch_config_init(mimo_batch_config *config, size_t size) MIMO_NOEXCEPT;
