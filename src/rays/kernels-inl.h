@@ -68,15 +68,15 @@ HWY_INLINE void PackOneByOne(const std::uint32_t* from, int count, std::uint8_t*
 // Sixteen pixels: 48 bytes.
 HWY_INLINE void PackTile(const std::uint32_t* from, std::uint8_t* to) {
   const hn::Full128<std::uint8_t> d;
-  alignas(16) static constexpr std::uint8_t kLow[16] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
-  alignas(16) static constexpr std::uint8_t kHigh[16] = {3, 7, 11, 15, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14};
+  alignas(16) static constexpr std::uint8_t kInLower[16] = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
+  alignas(16) static constexpr std::uint8_t kInUpper[16] = {3, 7, 11, 15, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14};
   const auto four = [&](int k, const std::uint8_t* order) {  // in the lower or the upper twelve bytes
     const auto pixels = hn::BitCast(d, hn::Load(hn::Full128<std::uint32_t>(), from + 4 * k));
     return hn::TableLookupBytes(pixels, hn::Load(d, order));
   };
-  hn::StoreU(hn::CombineShiftRightBytes<4>(d, four(1, kLow), four(0, kHigh)), d, to);
-  hn::StoreU(hn::CombineShiftRightBytes<8>(d, four(2, kLow), four(1, kHigh)), d, to + 16);
-  hn::StoreU(hn::CombineShiftRightBytes<12>(d, four(3, kLow), four(2, kHigh)), d, to + 32);
+  hn::StoreU(hn::CombineShiftRightBytes<4>(d, four(1, kInLower), four(0, kInUpper)), d, to);
+  hn::StoreU(hn::CombineShiftRightBytes<8>(d, four(2, kInLower), four(1, kInUpper)), d, to + 16);
+  hn::StoreU(hn::CombineShiftRightBytes<12>(d, four(3, kInLower), four(2, kInUpper)), d, to + 32);
 }
 #endif
 
