@@ -17,34 +17,37 @@ import mimo
 IMAGES = Path(__file__).resolve().parent
 ORDER = ["roll-to-back", "roll-to-belly", "sit", "stand-with-support", "crawl", "walk-with-help", "stand", "walk"]
 OLDEST = 24  # months
+STRENGTHS = {  # in colours and words
+    "low": ("tab:red", "--", "half the strength, mean"),
+    "middle": ("tab:blue", "-", "mean of seeds"),
+    "high": ("tab:green", "--", "twice the strength, mean"),
+}
 
 
 def runs(path):
-    """By behaviour and run: ages, shares of success, and how much of the time or the measure was reached."""
-    found = defaultdict(lambda: defaultdict(list))
+    """By behaviour and strength: of each age the shares of success of all seeds."""
+    found = defaultdict(lambda: defaultdict(lambda: defaultdict(list)))
     with open(path, newline="") as file:
         for row in csv.DictReader(file):
-            run = (row["strength"], row["seed"])
-            found[row["behaviour"]][run].append((float(row["age"]), float(row["success"])))
+            found[row["behaviour"]][row["strength"]][float(row["age"])].append(float(row["success"]))
     return found
 
 
-def draw(axes, name, of_runs):
+def draw(axes, name, of_strengths):
     behaviour = mimo.Scene(name).behaviour()
     norm = behaviour.norm
     if norm.early and norm.late:
         axes.axvspan(norm.early, norm.late, color="tab:orange", alpha=0.18, lw=0, label="WHO: 1st to 99th percentile")
     if norm.age:
         axes.axvline(norm.age, color="tab:orange", lw=1.2, label="the middle infant")
-    shares = defaultdict(list)
-    for rows in of_runs.values():
-        rows.sort()
-        axes.plot(*zip(*rows), "o-", color="tab:blue", ms=3, lw=0.8, alpha=0.45, label="a seed")
-        for age, share in rows:
-            shares[age].append(share)
-    mean = [(age, sum(all_of) / len(all_of)) for age, all_of in sorted(shares.items())]
-    axes.plot(*zip(*mean), "-", color="tab:blue", lw=2.2, label="mean of seeds")
-    axes.set(title=f"{behaviour.about} ({len(of_runs)} seeds)", xlim=(-0.7, OLDEST + 0.7), ylim=(-0.04, 1.04))
+    for strength, (color, style, word) in STRENGTHS.items():
+        shares = sorted(of_strengths[strength].items())
+        if strength == "middle":
+            seeds = [(age, share) for age, all_of in shares for share in all_of]
+            axes.plot(*zip(*seeds), "o", color=color, ms=3, alpha=0.35, label="a seed")
+        mean = [(age, sum(all_of) / len(all_of)) for age, all_of in shares]
+        axes.plot(*zip(*mean), style, color=color, lw=2.2 if strength == "middle" else 1.2, label=word)
+    axes.set(title=behaviour.about, xlim=(-0.7, OLDEST + 0.7), ylim=(-0.04, 1.04))
     axes.title.set_fontsize(9)
     axes.set_xticks(range(0, OLDEST + 1, 6))
 
@@ -58,7 +61,7 @@ def main():
     for axes in grid[-1]:
         axes.set_xlabel("age, months")
     for axes in grid[:, 0]:
-        axes.set_ylabel("share of attempts that succeed")
+        axes.set_ylabel("share that succeeds")
     handles = {label: handle for axes in grid.flat for handle, label in zip(*axes.get_legend_handles_labels())}
     figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=4, fontsize=8, frameon=False)
     figure.savefig(IMAGES / "cohort.png", dpi=90)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""make_three_ages.py: draws three_ages.png, six moments of a learned sitting at each of three ages. Needs Pillow."""
+"""make_three_ages.py: draws three_ages.png, six moments of learned rolling at three ages. Needs Pillow."""
 
 from pathlib import Path
 
@@ -9,18 +9,18 @@ from PIL import Image, ImageDraw
 import mimo
 
 IMAGES = Path(__file__).resolve().parent
-POLICY = IMAGES.parents[1] / "examples/policies/sit.json"
-AGES, SEED, SIDE, MOMENTS = (3, 6, 9), 0, 180, 6
-VIEW = {"azimuth": 125, "elevation": -12, "distance": 0.9, "look_at": (0.05, 0, 0.16)}
+POLICY = IMAGES.parents[1] / "examples/policies/roll-to-belly.json"
+AGES, SEED, SIDE, MOMENTS, SECONDS = (3, 6, 12), 0, 180, 6, 2
+VIEW = {"azimuth": 125, "elevation": -25, "distance": 1.1, "look_at": (0, 0, 0.08)}
 
 
 def episode(policy, age):
-    """Seconds and picture of moments at equal distances, the first and the last of ten seconds included."""
-    world = mimo.World(policy.scene, age=age, touch=False, vision=False)
+    """Seconds and picture of moments at equal distances, the first and the last included."""
+    world = mimo.World(policy.scene, age=age, maturity=["body", "delays"], touch=False, vision=False)
     policy.attach(world)
     world.reset(seed=SEED)
     step = world.timestep * world.frame_skip
-    for moment in np.linspace(0, 10, MOMENTS):
+    for moment in np.linspace(0, SECONDS, MOMENTS):
         while world.time < moment - step / 2:
             world.step(policy.act(world.observation, world.action_low, world.action_high, world.time))
         yield moment, Image.fromarray(world.render(width=2 * SIDE, height=2 * SIDE, **VIEW))

@@ -1,6 +1,6 @@
 """Records what a learned policy does, at several ages: a recording for each, to watch, to film and to send as a page.
 
-python film.py ../policies/sit.json --ages 3 6 9 --out films
+python film.py ../policies/sit.json --ages 6 9 12 --out films
 python -m mimo.view --recording films/sit-6.h5                 # in the viewer
 python -m mimo.video films/sit-6.h5 --out sit-6.mp4            # as a film
 mimo export --html sit-6.html films/sit-6.h5                   # as a page that plays it in any browser

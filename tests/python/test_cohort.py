@@ -1,4 +1,4 @@
-"""The cohort: one learner for infants of all ages, its breaks, its files, and what it refuses."""
+"""The cohort: how an infant of an age practises, its breaks, its files, and what it refuses."""
 
 import csv
 import importlib
@@ -12,31 +12,25 @@ import pytest
 
 import mimo
 
-torch = pytest.importorskip("torch", reason="PyTorch is not installed")
-SCRIPTS = Path(__file__).resolve().parents[2] / "examples/python"
+pytest.importorskip("cmaes", reason="cmaes is not installed")
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "examples/python"
 sys.path.append(str(SCRIPTS))
 cohort = importlib.import_module("cohort")
-cohort_learner = importlib.import_module("cohort_learner")
-reflex = importlib.import_module("reflex")
-
-ALL = 256  # steps that a learner of these tests is made for: four updates of two worlds
+learners = importlib.import_module("cohort_learner")
+movements = importlib.import_module("movements")
 
 
-def learner(behaviour="roll-to-back", seed=0):
-    return cohort_learner.Learner(behaviour, [0, 12], 1.0, seed, ALL, worlds=2)
-
-
-def weights(one):
-    return torch.cat([part.detach().reshape(-1) for part in one.agent.parameters()])
+def learner(behaviour="roll-to-back", seed=0, age=12):
+    return learners.Learner(behaviour, age, 1.0, seed, worlds=2)
 
 
 def test_every_motor_has_the_joint_that_it_turns():
     world = mimo.World("walk", touch=False, vision=False)
     labels = world.layout.fields["proprioception/position"].labels
-    joints = [reflex.joint_of(motor) for motor in world.action_names]
+    joints = [movements.joint_of(motor) for motor in world.action_names]
     assert set(joints) <= set(labels)
     assert len(set(joints)) == len(joints) == 38
-    world.reset(seed=0)
     for motor, joint in zip(world.action_names, joints):  # full strength turns this joint and no other as far
         world.reset(seed=0)
         command = np.zeros(len(joints), np.float32)
@@ -47,94 +41,130 @@ def test_every_motor_has_the_joint_that_it_turns():
         assert gained[labels.index(joint)] > 0, motor
 
 
+def test_a_movement_is_as_its_numbers_say():
+    motors = mimo.World("sit", touch=False, vision=False).action_names
+    still = movements.Movement(np.zeros(movements.COUNT), motors)
+    assert (still.stiffness, still.damping, still.period) == (2.0, 0.1, 1.5)
+    assert not np.vstack([still.posture, still.clock, still.balance]).any()
+    first = len(movements.SPREAD)  # then postures, in their order; then the rhythm
+    knee, left, right = first + movements.POSTURE.index("knee"), "act:left_knee", "act:right_knee"
+    numbers = np.zeros(movements.COUNT)
+    numbers[knee] = 2
+    bent = movements.Movement(numbers, motors)
+    assert [bent.posture[motors.index(one)] for one in (left, right)] == [0.6, 0.6]  # 2 deviations of 0.3 rad
+    assert np.count_nonzero(bent.posture) == 2
+    numbers[:] = 0
+    numbers[first + len(movements.POSTURE) + movements.RHYTHM.index("knee")] = 1
+    numbers[list(movements.SPREAD).index("rhythm")] = np.log(2)  # all of the rhythm is twice as large
+    stepping = movements.Movement(numbers, motors)
+    assert [stepping.clock[motors.index(one)] for one in (left, right)] == pytest.approx([-0.6, 0.6])
+    assert np.count_nonzero(stepping.clock) == 2
+
+
+def test_the_file_acts_as_the_infant_practised():
+    infants = movements.Infants("walk-with-help", 9, 2, 1.0, 0.05)
+    numbers = np.random.default_rng(0).standard_normal(movements.COUNT)
+    for world in range(2):
+        infants.begin(world, numbers)
+    infants.reset([3, 4])
+    policy = movements.policy_of(infants, numbers, age=9)
+    assert (policy.scene, policy.age, policy.delays) == ("walk-with-help", 9, True)
+    noise = {"behaviour/pose_noise": 0.05}
+    world = mimo.World(
+        "walk-with-help", age=9, maturity=["body", "delays"], touch=False, vision=False, parameters=noise
+    )
+    policy.attach(world)
+    world.reset(seed=4)
+    for _ in range(50):
+        infants.step()
+        world.step(policy.act(world.observation, world.action_low, world.action_high, world.time))
+        for name in (movements.ANGLES, "vestibular/acceleration"):
+            assert infants.views[name][1] == pytest.approx(np.ravel(world.observation[name]), abs=1e-3)
+
+
+def test_practice_gets_better():
+    one = learner("roll-to-belly", age=12)
+    one.practise(16_000)
+    values = [value for _, value, *_ in one.results]
+    assert len(values) > 3 * learners.POPULATION
+    first, last = values[: learners.POPULATION], values[-learners.POPULATION :]
+    assert np.mean(last) > np.mean(first) + 0.2  # of 6 that the best could be worth
+
+
 def test_a_break_changes_nothing(tmp_path):
-    whole = learner()
-    for _ in range(4):
-        whole.update()
-    broken = learner()  # begins as the other did: PyTorch's random numbers are the process's
-    for _ in range(2):
-        broken.update()
-    torch.save(broken.state(), tmp_path / "checkpoint.pt")
-    after = learner(seed=5)  # all of it comes from the checkpoint
-    after.load(torch.load(tmp_path / "checkpoint.pt"))
-    for _ in range(2):
-        after.update()
-    assert after.steps == whole.steps == ALL
-    assert torch.equal(weights(after), weights(whole))
-    assert np.array_equal(after.scale.mean, whole.scale.mean)
-    assert not torch.equal(weights(after), weights(broken))
+    whole, broken = learner(), learner()
+    whole.practise(9000)
+    broken.practise(5000)
+    broken.save(tmp_path / "checkpoint.npz")
+    after = learner()
+    after.load(tmp_path / "checkpoint.npz")
+    assert after.steps == 5000
+    after.practise(4000)
+    assert len(after.results) > len(broken.results) > learners.POPULATION  # the search moved before the break
+    assert after.results == whole.results
+    assert np.array_equal(after.rows, whole.rows)
+    assert np.array_equal(after.search.mean, whole.search.mean)
 
 
-def test_noise_and_rate_fall_in_the_second_half():
-    one = learner()
-    deviations = []
-    for _ in range(4):
-        one.update()
-        deviations.append(one.agent.log_deviation.mean().exp().item())
-    assert deviations[1] > 0.9 * np.exp(cohort_learner.LOG_DEVIATION)
-    # Half of the way to a fifth after the third update would need a step beyond the middle: it is at the fourth.
-    assert deviations[3] == pytest.approx(deviations[2] / cohort_learner.CALMER**0.5, rel=0.1)
-    assert one.optimizer.param_groups[0]["lr"] == pytest.approx(cohort_learner.RATE * 10**-0.5)
+def test_what_a_fall_and_a_success_are_worth():
+    one = learner("stand-with-support")  # 15 s
+    one.best[:], one.total[:], one.infants.steps[:] = 0.8, 150, 150
+    one._finish(0, False)
+    one._finish(1, True)
+    assert [value for _, value, *_ in one.results] == pytest.approx(
+        [150 / 1500 + 3 * 0.8, (150 + 2 * 1350) / 1500 + 3 + 1]
+    )
 
 
-def test_the_file_acts_as_the_learner_and_its_reflex():
-    one = learner("sit")
-    for _ in range(2):
-        one.update()
-    policy, infants = one.policy(), one.infants
-    low, high = infants.batch.action_low, infants.batch.action_high
-    seen = infants.observed()
-    with torch.no_grad():
-        goal = infants.start + one.agent.mean(one.scale.scaled(seen)).numpy()
-    angle, velocity = seen[:, infants.joints], seen[:, 47 + np.array(infants.joints)]
-    wanted = np.clip(2 * (goal - angle) - 0.1 * velocity, low, high)
-    for row in range(2):
-        fields = {name: infants.views[name][row] for name, _ in policy.fields}
-        assert policy.act(fields, low, high) == pytest.approx(wanted[row], abs=2e-3)
-    policy.attach(mimo.World("sit", age=3, touch=False, vision=False))
+def test_an_age_without_the_start_pose_is_left_out(tmp_path):
+    options = cohort.parse(["--out", str(tmp_path)])
+    assert cohort.run(("stand", "middle", 0.0, 0, options)) is None  # a newborn's hips do not stretch so far
 
 
-def test_an_age_without_the_start_pose_is_left_out():
-    assert cohort.possible("stand", [0, 12]) == [12]
-    assert cohort.possible("sit", [0, 12]) == [0, 12]
+def test_a_dive_ahead_is_no_crawling():
+    """WHO wants three movements in a row. Arms swept back throw the infant 0.4 m ahead before its head lands."""
+    infants = movements.Infants("crawl", 12, 4, 1.0, 0.01)
+    goals = {"shoulder_abduction": -1.4, "elbow": 0.76, "head_tilt": -0.72, "shoulder_internal": -0.4}
+    goals |= {"shoulder_horizontal": -0.15, "hip_flex": -0.16, "hip_abduction": 0.1, "foot_flexion": 0.15}
+    numbers = np.zeros(movements.COUNT)
+    numbers[:2] = np.log([4.1 / 2, 0.85]) / 0.5  # stiffness, damping
+    for name, goal in goals.items():
+        numbers[len(movements.SPREAD) + movements.POSTURE.index(name)] = goal / 0.3
+    for world in range(4):
+        infants.begin(world, numbers)
+    infants.reset([1, 2, 3, 4])
+    furthest, done = np.zeros(4), np.zeros(4, bool)
+    while infants.steps[0] < 100:
+        _, _, _, success, _ = infants.step()
+        upright = infants.achieved()[:, 2] == 0  # head and trunk have not touched the ground
+        furthest = np.where(upright, np.maximum(furthest, infants.achieved()[:, 0]), furthest)
+        done |= success
+    wanted = np.ravel(infants.batch.get(mimo.Quantity.AGENT_GOAL))[0]  # 0.4 m at 18 months, less for a smaller infant
+    assert np.sum(furthest > wanted) >= 3
+    assert not done.any()
 
 
 def test_a_small_cohort(tmp_path):
-    command = [
-        sys.executable,
-        SCRIPTS / "cohort.py",
-        "--behaviours",
-        "roll-to-back",
-        "--ages",
-        "0",
-        "12",
-        "--seeds",
-        "2",
-    ]
-    command += ["--steps", "128", "--worlds", "2", "--episodes", "1", "--evaluate-every", "64", "--out", tmp_path]
+    command = [sys.executable, SCRIPTS / "cohort.py", "--behaviours", "roll-to-back", "stand", "--ages", "0", "12"]
+    command += ["--seeds", "1", "--steps", "800", "--episodes", "1", "--processes", "2", "--out", tmp_path]
     first = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    assert "2 of 2 runs" in first
+    assert "4 of 4 runs" in first
     with open(tmp_path / "cohort.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    assert [(row["seed"], row["age"], row["steps"]) for row in rows] == [
-        (seed, age, "128") for seed in "01" for age in ("0.0", "12.0")
-    ]
-    assert all(0 <= float(row["success"]) <= 1 for row in rows)
-    curve = (tmp_path / "roll-to-back-middle-0/curve.csv").read_text().splitlines()
-    assert [line.split(",")[0:3:2] for line in curve[1:]] == [
-        ["64", "0.0"],
-        ["64", "12.0"],
-        ["128", "0.0"],
-        ["128", "12.0"],
-    ]
-    how = json.loads((tmp_path / "roll-to-back-middle-1/policy.json").read_text())["how"]
-    assert (how["steps"], how["seed"], how["strength"]) == (128, 1, "middle")
+    kept = [("roll-to-back", "0.0"), ("roll-to-back", "12.0"), ("stand", "12.0")]
+    assert [(row["behaviour"], row["age"]) for row in rows] == kept
+    assert all(row["steps"] == "800" and 0 <= float(row["success"]) <= 1 for row in rows)
+    folder = tmp_path / "roll-to-back-middle-12-0"
+    with open(folder / "practice.csv", newline="") as file:
+        tried = list(csv.DictReader(file))
+    assert len(tried) == int(rows[1]["tried"])
+    policy = mimo.Policy.load(folder / "policy.json")
+    assert (policy.how["steps"], policy.how["seed"], policy.how["strength"]) == (800, 0, "middle")
+    assert json.loads((folder / "policy.json").read_text())["age"] == 12
     again = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    assert "goes on from step 128" in again
+    assert "roll-to-back-middle-12-0: goes on from step 800" in again
     with open(tmp_path / "cohort.csv", newline="") as file:
         assert list(csv.DictReader(file)) == rows
-    other = subprocess.run([*command, "--ages", "12"], capture_output=True, text=True)
-    assert "was learned with ages [0.0, 12.0], not [12.0]: choose another --out" in other.stderr
 
 
 @pytest.mark.parametrize(
@@ -144,7 +174,7 @@ def test_a_small_cohort(tmp_path):
         (["--strength", "huge"], "--strength has 'huge', expected low, middle, high"),
         (["--ages", "36"], "--ages has 36, expected months from 0 to 24"),
         (["--seeds", "0"], "--seeds is 0, expected 1 or more"),
-        (["--evaluate-every", "0"], "--evaluate-every is 0, expected 1 or more"),
+        (["--processes", "-1"], "--processes is -1, expected 0 or more"),
     ],
 )
 def test_wrong_arguments_are_named(arguments, said, capsys):

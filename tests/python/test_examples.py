@@ -74,7 +74,7 @@ def test_no_example_is_forgotten(root):
         "cohort.py",
         "cohort_learner.py",
         "film.py",
-        "reflex.py",
+        "movements.py",
         "torchrl_ppo.py",
         "receptor_steps.py",
         "without_binding.py",

@@ -143,7 +143,7 @@ def test_policy_reaches_the_ball():
         assert wrong == []
 
 
-@pytest.mark.parametrize(("scene", "age"), [("sit", 6), ("stand-with-support", 8)])
+@pytest.mark.parametrize(("scene", "age"), [("sit", 6), ("stand-with-support", 12)])
 def test_policies_act_in_their_scenes_at_their_age(scene, age):
     with opened(400, 400) as (shown, wrong):
         shown.click("#run")
