@@ -10,7 +10,7 @@ import mimo
 
 IMAGES = Path(__file__).resolve().parent
 POLICY = IMAGES.parents[1] / "examples/policies/roll-to-belly.json"
-AGES, SEED, SIDE, MOMENTS, SECONDS = (3, 6, 12), 0, 180, 6, 2
+AGES, SEED, SIDE, MOMENTS, SECONDS = (3, 6, 12), 0, 180, 6, 1.5
 VIEW = {"azimuth": 125, "elevation": -25, "distance": 1.1, "look_at": (0, 0, 0.08)}
 
 

@@ -157,7 +157,7 @@ def test_the_age_is_the_policy_s_unless_another_is_asked_for(tmp_path):
 
 
 def test_nerves_are_those_with_which_the_policy_has_learned(tmp_path):
-    """Other nerves, another episode: the file says those of its age, unless they are switched off or it says nothing."""
+    """Other nerves, another episode: those of its age, unless they are switched off or the file says nothing."""
     content = json.loads((POLICIES / "sit.json").read_text())
     assert content.pop("delays") is True
     (tmp_path / "fast.json").write_text(json.dumps(content))
