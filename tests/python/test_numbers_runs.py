@@ -64,20 +64,30 @@ def test_first_runs(row, task, steps):
 
 
 def test_the_cohort():
-    """The page's table of shares is the mean over seeds of the data."""
+    """The page's tables of shares are means over seeds of the data."""
     with open(ROOT / "docs/data/cohort/cohort.csv", newline="") as file:
         rows = list(csv.DictReader(file))
-    text = (ROOT / "docs/cohort.md").read_text(encoding="utf-8")
-    told = [
-        [cell.strip() for cell in line.strip("|").split("|")] for line in text.splitlines() if line.startswith("| ")
-    ]
-    table = {cells[0].replace(" ", "-"): cells[2:10] for cells in told if len(cells) == 11 and cells[0]}
-    assert set(table) == {row["behaviour"] for row in rows}
-    for behaviour, cells in table.items():
-        for age, cell in zip((0, 3, 6, 9, 12, 15, 18, 24), cells):
-            shares = [float(it["success"]) for it in rows if it["behaviour"] == behaviour and float(it["age"]) == age]
-            assert (cell == "") == (not shares), (behaviour, age)
-            assert not shares or float(cell) == pytest.approx(np.mean(shares), abs=0.0051), (behaviour, age)
+    lines = (ROOT / "docs/cohort.md").read_text(encoding="utf-8").splitlines()
+    told = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines if line.startswith("| ")]
+    names = {row["behaviour"] for row in rows}
+
+    def check(behaviour, strength, ages, cells):
+        key = (behaviour, strength)
+        for age, cell in zip(ages, cells):
+            mine = [row for row in rows if (row["behaviour"], row["strength"]) == key and float(row["age"]) == age]
+            shares = [float(row["success"]) for row in mine]
+            assert (cell == "") == (not shares), (behaviour, strength, age)
+            assert not shares or float(cell) == pytest.approx(np.mean(shares), abs=0.0051), (behaviour, strength, age)
+
+    for width in (4, 10):  # the band of strengths; all ages at the middle strength
+        table = {cells[0].replace(" ", "-"): cells[1:] for cells in told if len(cells) == width}
+        assert names <= set(table)
+        for behaviour in names:
+            if width == 10:
+                check(behaviour, "middle", (0, 3, 6, 9, 12, 15, 18, 24), table[behaviour][:8])
+                continue
+            for strength, cell in zip(("low", "middle", "high"), table[behaviour]):
+                check(behaviour, strength, (3, 6, 12, 24), cell.split(" / "))
 
 
 def test_costs():
